@@ -1,0 +1,43 @@
+"""What the user describes: frozen dataclasses in SI units, without numerics."""
+
+from moorage.model.components import (
+    Attachment,
+    Body,
+    Control,
+    Curve,
+    ExternalLoad,
+    Failure,
+    Line,
+    LineType,
+    Point,
+    Rod,
+    RodType,
+    Section,
+)
+from moorage.model.environment import Bathymetry, Current, Environment, Friction, Waves
+from moorage.model.model import Model, OutputChannel, UnusedOption
+from moorage.model.motion import Motion
+
+__all__ = [
+    "Attachment",
+    "Bathymetry",
+    "Body",
+    "Control",
+    "Current",
+    "Curve",
+    "Environment",
+    "ExternalLoad",
+    "Failure",
+    "Friction",
+    "Line",
+    "LineType",
+    "Model",
+    "Motion",
+    "OutputChannel",
+    "Point",
+    "Rod",
+    "RodType",
+    "Section",
+    "UnusedOption",
+    "Waves",
+]

@@ -1,0 +1,263 @@
+"""What a mooring is made of, in SI units and the field's words: frozen, without any numerics.
+
+z points up from the still water level; end A of a line is the anchor end, end B the fairlead end.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Literal
+
+from moorage.errors import Source
+
+PointKind = Literal["fixed", "coupled", "free"]
+ObjectKind = Literal["fixed", "coupled", "free", "pinned", "coupled-pinned"]
+
+
+def _source() -> Source | None:
+    return field(default=None, compare=False, repr=False)  # type: ignore[return-value]
+
+
+@dataclass(frozen=True)
+class Curve:
+    """A table y(x), linear between its rows and continued with the slope of its end intervals.
+
+    `file` is the name that the table had in the input, kept so that a model can be written back.
+    """
+
+    x: tuple[float, ...]
+    y: tuple[float, ...]
+    file: str = field(default="", compare=False)
+
+
+@dataclass(frozen=True, kw_only=True)
+class LineType:
+    """Properties of a line for each metre of its unstretched length.
+
+    Parameters
+    ----------
+    diameter : float
+        Volume-equivalent diameter, m.
+    mass_per_length : float
+        Mass in air, kg/m.
+    axial_stiffness : float or Curve
+        EA, N; or tension (N) against strain (-).
+    axial_damping : float or Curve
+        BA, N s; or tension (N) against strain rate (1/s). Not used when `axial_damping_ratio` is given.
+    axial_damping_ratio : float or None
+        Fraction of a segment's critical damping, BA = ratio l sqrt(EA m) (MoorDyn's negative BA).
+    bending_stiffness : float or Curve
+        EI, N m2; or moment (N m) against curvature (1/m).
+    bending_damping : float
+        BI, N m2 s (MoorDyn's optional second value of EI).
+    transverse_drag, tangential_drag : float
+        Cd on d l and CdAx on pi d l, -.
+    transverse_added_mass, tangential_added_mass : float
+        Ca and CaAx on the displaced mass, -.
+    lift_coefficient, viv_range, viv_centre : float
+        Cl, dF and cF of the vortex-induced-vibration model, -; zero `lift_coefficient` switches it off.
+    minimum_bend_radius : float or None
+        Allowed bend radius, m.
+    viscoelastic : tuple of float
+        Dynamic stiffness values of MoorDyn's viscoelastic models, empty for an elastic line.
+    syrope : str
+        Name of the Syrope working-curve file, empty for none.
+    """
+
+    name: str
+    diameter: float
+    mass_per_length: float
+    axial_stiffness: float | Curve
+    axial_damping: float | Curve = 0.0
+    axial_damping_ratio: float | None = None
+    bending_stiffness: float | Curve = 0.0
+    bending_damping: float = 0.0
+    transverse_drag: float = 0.0
+    tangential_drag: float = 0.0
+    transverse_added_mass: float = 0.0
+    tangential_added_mass: float = 0.0
+    lift_coefficient: float = 0.0
+    viv_range: float = 0.08
+    viv_centre: float = 0.18
+    minimum_bend_radius: float | None = None
+    viscoelastic: tuple[float, ...] = ()
+    syrope: str = ""
+    source: Source | None = _source()
+
+
+@dataclass(frozen=True, kw_only=True)
+class RodType:
+    """Properties of a rod: diameter (m), mass (kg/m), and coefficients on side and ends (-)."""
+
+    name: str
+    diameter: float
+    mass_per_length: float
+    transverse_drag: float = 0.0
+    transverse_added_mass: float = 0.0
+    end_drag: float = 0.0
+    end_added_mass: float = 0.0
+    source: Source | None = _source()
+
+
+@dataclass(frozen=True, kw_only=True)
+class Section:
+    """A stretch of line of one type: unstretched length (m) cut into equal segments."""
+
+    line_type: str
+    length: float
+    segments: int
+    source: Source | None = _source()
+
+
+@dataclass(frozen=True)
+class Attachment:
+    """What a line end holds on to: a point, or end A or B of a rod."""
+
+    kind: Literal["point", "rod"]
+    id: int
+    end: Literal["A", "B", ""] = ""
+
+    def __str__(self) -> str:
+        return f"point {self.id}" if self.kind == "point" else f"end {self.end} of rod {self.id}"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Line:
+    """A line of one or more sections, listed from end A to end B.
+
+    `outputs` holds MoorDyn's letters of the LineOutputs column ("" for none).
+    """
+
+    id: int
+    sections: tuple[Section, ...]
+    end_a: Attachment
+    end_b: Attachment
+    name: str = ""
+    outputs: str = ""
+    source: Source | None = _source()
+
+    @property
+    def length(self) -> float:
+        """Unstretched length, m."""
+        return sum(section.length for section in self.sections)
+
+    @property
+    def segments(self) -> int:
+        """Number of segments."""
+        return sum(section.segments for section in self.sections)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Point:
+    """A point where lines meet, or end.
+
+    Parameters
+    ----------
+    kind : {"fixed", "coupled", "free"}
+        Held in place, moved by prescribed motion, or moved by the forces on it.
+    position : tuple of float
+        x, y, z in m: global, or relative to `body` or to the platform of `turbine` when one is given.
+    mass, volume : float
+        kg and m3.
+    drag_area : float
+        CdA, m2, the same in all directions.
+    added_mass : float
+        Ca on the displaced mass, -.
+    external_force : tuple of float
+        A constant force, N (MoorDyn v1's FX, FY, FZ).
+    body : int or None
+        The body that carries the point (`kind` is then that of the body).
+    turbine : int or None
+        The FAST.Farm turbine that the point is coupled to.
+    on_seabed : bool
+        Put z on the seabed (z = seabed in native files).
+    """
+
+    id: int
+    kind: PointKind
+    position: tuple[float, float, float]
+    mass: float = 0.0
+    volume: float = 0.0
+    drag_area: float = 0.0
+    added_mass: float = 0.0
+    external_force: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    body: int | None = None
+    turbine: int | None = None
+    on_seabed: bool = False
+    name: str = ""
+    source: Source | None = _source()
+
+
+@dataclass(frozen=True, kw_only=True)
+class Rod:
+    """A rigid cylinder from end A to end B (m); a zero-length one is a clamp that points from A towards B."""
+
+    id: int
+    rod_type: str
+    kind: ObjectKind
+    end_a: tuple[float, float, float]
+    end_b: tuple[float, float, float]
+    segments: int
+    body: int | None = None
+    turbine: int | None = None
+    outputs: str = ""
+    name: str = ""
+    source: Source | None = _source()
+
+
+@dataclass(frozen=True, kw_only=True)
+class Body:
+    """A rigid body: position (m), intrinsic XYZ Euler angles (rad), mass properties and drag.
+
+    `inertia` holds the diagonal about the centre of gravity (kg m2), `drag_area` CdA of six components
+    (m2 and m5), `added_mass` Ca of six components (-).
+    """
+
+    id: int
+    kind: ObjectKind
+    position: tuple[float, float, float]
+    rotation: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    mass: float = 0.0
+    centre_of_gravity: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    inertia: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    volume: float = 0.0
+    drag_area: tuple[float, ...] = (0.0,) * 6
+    added_mass: tuple[float, ...] = (0.0,) * 6
+    turbine: int | None = None
+    name: str = ""
+    source: Source | None = _source()
+
+
+@dataclass(frozen=True, kw_only=True)
+class Failure:
+    """Lines that come off a point or rod end at a time (s) or at a tension (N); zero means never."""
+
+    id: int
+    attachment: Attachment
+    lines: tuple[int, ...]
+    time: float = 0.0
+    tension: float = 0.0
+    source: Source | None = _source()
+
+
+@dataclass(frozen=True, kw_only=True)
+class Control:
+    """Lines whose length follows a control channel."""
+
+    channel: int
+    lines: tuple[int, ...]
+    source: Source | None = _source()
+
+
+@dataclass(frozen=True, kw_only=True)
+class ExternalLoad:
+    """A constant force (N) with linear (N s/m) and quadratic (N s2/m2) damping on a body, rod or point."""
+
+    id: int
+    target: Literal["body", "rod", "point"]
+    target_id: int
+    force: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    linear_damping: tuple[float, ...] = (0.0, 0.0, 0.0)
+    quadratic_damping: tuple[float, ...] = (0.0, 0.0, 0.0)
+    local: bool = False
+    source: Source | None = _source()

@@ -1,0 +1,77 @@
+"""Water, seabed, current and waves: what surrounds the mooring."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from moorage.errors import Source
+
+
+@dataclass(frozen=True)
+class Bathymetry:
+    """A rectangular grid of water depths: x (nx,) m, y (ny,) m, depth (nx, ny) m, positive down."""
+
+    x: tuple[float, ...]
+    y: tuple[float, ...]
+    depth: tuple[tuple[float, ...], ...]
+    source: Source | None = field(default=None, compare=False, repr=False)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Friction:
+    """Saturated-damping friction of the seabed (Housner et al. 2022, equations 5-13).
+
+    Kinetic coefficients transverse to and along the line (-), the ratio of static to kinetic (-), and the slope of
+    the ramp, `damping` (MoorDyn's c_v, N s/m for each node and unit of the coefficient).
+    """
+
+    transverse: float = 0.0
+    axial: float = 0.0
+    static_ratio: float = 1.0
+    damping: float = 200.0
+    source: Source | None = field(default=None, compare=False, repr=False)
+
+
+@dataclass(frozen=True)
+class Current:
+    """A steady current: levels z (n,) m, increasing, and velocity (n, 3) m/s; constant above and below them."""
+
+    z: tuple[float, ...] = (0.0,)
+    velocity: tuple[tuple[float, float, float], ...] = ((0.0, 0.0, 0.0),)
+    source: Source | None = field(default=None, compare=False, repr=False)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Waves:
+    """A sea that was asked for: the option's name as read and its value."""
+
+    option: str
+    value: str
+    source: Source | None = field(default=None, compare=False, repr=False)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Environment:
+    """The surroundings of a mooring.
+
+    Parameters
+    ----------
+    water_depth : float
+        m, positive; the level of a flat seabed is -water_depth. Still used as reference depth with `bathymetry`.
+    gravity : float
+        m/s2.
+    water_density : float
+        kg/m3.
+    seabed_stiffness, seabed_damping : float
+        Pa/m and Pa s/m on the projected area d l of the line.
+    """
+
+    water_depth: float
+    gravity: float = 9.80665
+    water_density: float = 1025.0
+    seabed_stiffness: float = 3.0e6
+    seabed_damping: float = 3.0e5
+    friction: Friction | None = None
+    bathymetry: Bathymetry | None = None
+    current: Current = Current()
+    waves: Waves | None = None

@@ -1,0 +1,142 @@
+"""Prescribed motion of the coupled objects: samples in time, whatever they were made from.
+
+One rigid platform carries all coupled points, or each point has its own track. Between samples the motion is a
+C2 cubic spline (see `moorage.physics.motion`), so that the imposed velocity never jumps.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from moorage.errors import MotionError, Problem, Source
+
+
+@dataclass(frozen=True)
+class Motion:
+    """Samples of prescribed motion.
+
+    Parameters
+    ----------
+    time : (n,) array
+        s, increasing.
+    platform : (n, 6) array or None
+        Surge, sway, heave (m), roll, pitch, yaw (rad; intrinsic XYZ) of one rigid platform about the origin: added to
+        the positions of the coupled points as described.
+    points : mapping of point id to (n, 3) array
+        Absolute positions x, y, z of single coupled points, m.
+    coupled : (n, k) array or None
+        MoorDyn-F's columns: the coordinates of every coupled body and rod (6 each), then point (3 each), in the
+        file's order, m and rad. Resolved against the model with `resolve`.
+    """
+
+    time: np.ndarray
+    platform: np.ndarray | None = None
+    points: Mapping[int, np.ndarray] = field(default_factory=dict)
+    coupled: np.ndarray | None = None
+    source: Source | None = field(default=None, compare=False)
+
+    def __post_init__(self):
+        time = np.array(self.time, dtype=float)
+        object.__setattr__(self, "time", time)
+        for name, values in self._tables():
+            if values.ndim != 2 or len(values) != len(time):
+                raise MotionError(
+                    Problem(
+                        f"motion of {name} has shape {values.shape} for {len(time)} times",
+                        "give one row of coordinates for each time",
+                        self.source,
+                    )
+                )
+            bad = np.flatnonzero(~np.isfinite(values).all(axis=1))
+            if len(bad):
+                raise MotionError(
+                    Problem(
+                        f"motion of {name} is not a number at {time[bad[0]]:g} s", "give finite values", self.source
+                    )
+                )
+        if time.ndim != 1 or len(time) < 2 or not np.isfinite(time).all():
+            raise MotionError(Problem("motion needs at least two finite times", "add samples", self.source))
+        back = np.flatnonzero(np.diff(time) <= 0.0)
+        if len(back):
+            k = int(back[0]) + 1
+            raise MotionError(
+                Problem(
+                    f"time does not increase at sample {k + 1}",
+                    f"the time after {time[k - 1]:g} s must be larger",
+                    self.source,
+                    float(time[k]),
+                )
+            )
+
+    def _tables(self):
+        if self.platform is not None:
+            object.__setattr__(self, "platform", np.array(self.platform, dtype=float))
+            yield "the platform", self.platform
+        if self.coupled is not None:
+            object.__setattr__(self, "coupled", np.array(self.coupled, dtype=float))
+            yield "the coupled objects", self.coupled
+        points = {int(k): np.array(v, dtype=float) for k, v in self.points.items()}
+        object.__setattr__(self, "points", points)
+        for k, values in points.items():
+            yield f"point {k}", values
+
+    @property
+    def duration(self) -> float:
+        """Last time, s."""
+        return float(self.time[-1])
+
+    @classmethod
+    def from_platform(cls, time: ArrayLike, displacement: ArrayLike) -> Motion:
+        """Build from samples of one rigid platform: (n, 6), m and rad, about the origin."""
+        return cls(np.asarray(time, float), platform=np.asarray(displacement, float))
+
+    @classmethod
+    def from_points(cls, time: ArrayLike, positions: Mapping[int, ArrayLike]) -> Motion:
+        """Build from absolute positions (n, 3), m, of coupled points by id."""
+        return cls(np.asarray(time, float), points={k: np.asarray(v, float) for k, v in positions.items()})
+
+    @classmethod
+    def from_function(
+        cls, displacement: Callable[[float], ArrayLike], duration: float, interval: float = 0.05
+    ) -> Motion:
+        """Sample a function of time (s) that returns the platform's six displacements (m, rad)."""
+        time = np.linspace(0.0, duration, max(2, int(np.ceil(duration / interval)) + 1))
+        return cls(time, platform=np.array([np.asarray(displacement(float(t)), float) for t in time]))
+
+    @classmethod
+    def from_harmonics(
+        cls,
+        duration: float,
+        *,
+        ramp: float = 0.0,
+        interval: float | None = None,
+        **modes: tuple[float, float] | tuple[float, float, float],
+    ) -> Motion:
+        """Build a platform motion amplitude sin(2 pi t / period + phase) in each named mode.
+
+        Parameters
+        ----------
+        duration, ramp : float
+            s; the motion comes in over `ramp` with (1 - cos(pi t / ramp)) / 2.
+        interval : float
+            Sampling interval, s; by default a fortieth of the shortest period (spline error below 1e-6 of the
+            amplitude).
+        surge, sway, heave, roll, pitch, yaw : (amplitude, period[, phase])
+            m or rad, s, rad.
+        """
+        names = ("surge", "sway", "heave", "roll", "pitch", "yaw")
+        for name in modes:
+            if name not in names:
+                raise MotionError(Problem(f"there is no mode {name!r}", f"use one of {', '.join(names)}"))
+        step = interval or min(mode[1] for mode in modes.values()) / 40.0
+        time = np.linspace(0.0, duration, max(2, int(np.ceil(duration / step)) + 1))
+        envelope = np.where(time < ramp, 0.5 * (1.0 - np.cos(np.pi * time / ramp)), 1.0) if ramp > 0 else 1.0
+        table = np.zeros((len(time), 6))
+        for name, (amplitude, period, *phase) in modes.items():
+            angle = 2.0 * np.pi * time / period + (phase[0] if phase else 0.0)
+            table[:, names.index(name)] = envelope * amplitude * np.sin(angle)
+        return cls(time, platform=table)

@@ -1,0 +1,47 @@
+"""Every quantity of a result: name, symbol, dimensions, unit, long name. Results and plots take them from here."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+
+class Variable(NamedTuple):
+    """One quantity of a result."""
+
+    name: str
+    symbol: str
+    dims: tuple[str, ...]
+    unit: str
+    long_name: str
+
+
+_TABLE = (
+    Variable("time", "t", ("time",), "s", "time from the start of the run"),
+    Variable("fairlead_tension", "T_B", ("time", "line"), "N", "force of the line on its end object at end B"),
+    Variable("anchor_tension", "T_A", ("time", "line"), "N", "force of the line on its end object at end A"),
+    Variable("fairlead_force", "F_B", ("time", "line", "xyz"), "N", "force vector of the line on its object at end B"),
+    Variable("anchor_force", "F_A", ("time", "line", "xyz"), "N", "force vector of the line on its object at end A"),
+    Variable("segment_tension", "T", ("time", "segment"), "N", "tension of a segment, internal damping included"),
+    Variable("node_position", "r", ("time", "node", "xyz"), "m", "position of a line node, z up from still water"),
+    Variable("node_velocity", "v", ("time", "node", "xyz"), "m s-1", "velocity of a line node"),
+    Variable("point_position", "r_p", ("time", "point", "xyz"), "m", "position of a point"),
+    Variable("point_velocity", "v_p", ("time", "point", "xyz"), "m s-1", "velocity of a point"),
+    Variable("point_force", "F_p", ("time", "point", "xyz"), "N", "force of all lines on a point"),
+    Variable("grounded_length", "L_g", ("time", "line"), "m", "unstretched length of line on the seabed"),
+    Variable("anchor_uplift_angle", "phi_A", ("time", "line"), "rad", "angle of the pull at end A above the horizontal"),
+    Variable("minimum_tension", "T_min", ("time", "line"), "N", "lowest segment tension of a line"),
+    Variable("arc_length", "s", ("node",), "m", "unstretched arc length of a node from end A"),
+    Variable("segment_arc_length", "s_m", ("segment",), "m", "unstretched arc length of a segment's middle from end A"),
+    Variable("node_line", "", ("node",), "1", "id of the line that a node belongs to"),
+    Variable("segment_line", "", ("segment",), "1", "id of the line that a segment belongs to"),
+    Variable("unstretched_length", "l", ("segment",), "m", "unstretched length of a segment"),
+    Variable("stiffness", "K", ("dof", "dof_"), "N m-1, N rad-1, N m rad-1", "stiffness of the coupled points moved as one rigid platform about the origin"),
+)  # fmt: skip
+
+VARIABLES: dict[str, Variable] = {variable.name: variable for variable in _TABLE}
+
+
+def attributes(name: str) -> dict[str, str]:
+    """Return the CF attributes of a variable: units, long_name, and the symbol where it has one."""
+    v = VARIABLES[name]
+    return {"units": v.unit, "long_name": v.long_name} | ({"symbol": v.symbol} if v.symbol else {})
