@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from moorage.errors import MotionError, Problem, Source
+from moorage.model.model import Model
 
 
 @dataclass(frozen=True)
@@ -140,3 +141,97 @@ class Motion:
             angle = 2.0 * np.pi * time / period + (phase[0] if phase else 0.0)
             table[:, names.index(name)] = envelope * amplitude * np.sin(angle)
         return cls(time, platform=table)
+
+    def resolve(self, model: Model, duration: float | None = None) -> dict[int, np.ndarray]:
+        """Return the absolute positions (n, 3), m, of every coupled point of the model, by id.
+
+        A platform motion (x, y, z, roll, pitch, yaw) takes a point described at p to
+        (x, y, z) + Rx(roll) Ry(pitch) Rz(yaw) p, as MoorDyn's intrinsic XYZ angles do; a track of a single point is taken
+        as it is and wins over the platform.
+
+        Parameters
+        ----------
+        duration : float, optional
+            s; the motion must reach from time 0 to this time.
+        """
+        self._must_cover(duration)
+        described = {point.id: np.array(point.position) for point in model.coupled_points}
+        tracks = self._columns_by_point(model)
+        tracks.update(self.points)
+        problems = [
+            Problem(f"motion is given for point {id}, which is not coupled", _coupled_ids(described), self.source)
+            for id in tracks
+            if id not in described
+        ]
+        if self.platform is not None:
+            rotation = rotation_matrices(self.platform[:, 3:])
+            for id, position in described.items():
+                tracks.setdefault(id, self.platform[:, :3] + rotation @ position)
+        problems += [
+            Problem(f"coupled point {id} has no motion", "add its track, or give a platform motion", self.source)
+            for id in described
+            if id not in tracks
+        ]
+        if problems:
+            raise MotionError(problems)
+        return {id: tracks[id] for id in described}
+
+    def _must_cover(self, duration: float | None) -> None:
+        if self.time[0] > 0.0:
+            raise MotionError(
+                Problem("motion starts after time 0", "add samples from time 0 s", self.source, float(self.time[0]))
+            )
+        if duration is not None and self.duration < duration * (1.0 - 1e-9):
+            raise MotionError(
+                Problem(
+                    f"motion ends at {self.duration:g} s, the run at {duration:g} s",
+                    f"run for {self.duration:g} s, or add samples",
+                    self.source,
+                )
+            )
+
+    def _columns_by_point(self, model: Model) -> dict[int, np.ndarray]:
+        """Cut MoorDyn-F's columns into the tracks of the coupled points (bodies and rods come first)."""
+        if self.coupled is None:
+            return {}
+        owners = coupled_columns(model)
+        expected = sum(width for _, _, width in owners)
+        if self.coupled.shape[1] != expected:
+            listed = ", ".join(f"{kind} {id} ({width})" for kind, id, width in owners) or "no coupled objects"
+            raise MotionError(
+                Problem(
+                    f"motion has {self.coupled.shape[1]} columns after time, the model's coupled objects need {expected}",
+                    f"give, in this order: {listed}",
+                    self.source,
+                )
+            )
+        starts = np.cumsum([0, *(width for _, _, width in owners)])
+        return {
+            id: self.coupled[:, start : start + 3]
+            for (kind, id, _), start in zip(owners, starts, strict=False)
+            if kind == "point"
+        }
+
+
+def coupled_columns(model: Model) -> list[tuple[str, int, int]]:
+    """Return (kind, id, number of columns) of the coupled objects in the order of MoorDyn's input vector."""
+    moved = ("coupled", "coupled-pinned")
+    bodies = [("body", body.id, 6) for body in model.bodies if body.kind in moved]
+    rods = [("rod", rod.id, 6) for rod in model.rods if rod.kind in moved and rod.body is None]
+    return bodies + rods + [("point", point.id, 3) for point in model.coupled_points]
+
+
+def rotation_matrices(angles: np.ndarray) -> np.ndarray:
+    """Return R = Rx(roll) Ry(pitch) Rz(yaw), (n, 3, 3), of intrinsic XYZ angles (n, 3), rad."""
+    (cx, cy, cz), (sx, sy, sz) = np.cos(angles).T, np.sin(angles).T
+    rows = (
+        (cy * cz, -cy * sz, sy),
+        (cx * sz + sx * sy * cz, cx * cz - sx * sy * sz, -sx * cy),
+        (sx * sz - cx * sy * cz, sx * cz + cx * sy * sz, cx * cy),
+    )
+    return np.moveaxis(np.array(rows), -1, 0)
+
+
+def _coupled_ids(described: Mapping[int, np.ndarray]) -> str:
+    ids = ", ".join(map(str, described))
+    return f"the coupled points are {ids}" if ids else "the model has no coupled points"
