@@ -146,7 +146,7 @@ class Motion:
         """Return the absolute positions (n, 3), m, of every coupled point of the model, by id.
 
         A platform motion (x, y, z, roll, pitch, yaw) takes a point described at p to
-        (x, y, z) + Rx(roll) Ry(pitch) Rz(yaw) p, as MoorDyn's intrinsic XYZ angles do; a track of a single point is taken
+        (x, y, z) + Rx(roll) Ry(pitch) Rz(yaw) p (intrinsic XYZ angles, as MoorDyn); a track of a single point is taken
         as it is and wins over the platform.
 
         Parameters
@@ -200,7 +200,7 @@ class Motion:
             listed = ", ".join(f"{kind} {id} ({width})" for kind, id, width in owners) or "no coupled objects"
             raise MotionError(
                 Problem(
-                    f"motion has {self.coupled.shape[1]} columns after time, the model's coupled objects need {expected}",
+                    f"motion has {self.coupled.shape[1]} columns after time, the coupled objects need {expected}",
                     f"give, in this order: {listed}",
                     self.source,
                 )

@@ -1,0 +1,5 @@
+"""MoorDyn's files: model (v2 of C and F, v1), driver, and the writer."""
+
+from moorage.io.moordyn.reader import read_moordyn
+
+__all__ = ["read_moordyn"]
