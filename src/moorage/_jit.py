@@ -1,0 +1,93 @@
+"""The only place that touches numba: `kernel` for loops, `inlined` for small functions of scalars and tuples.
+
+Kernels never raise, print or allocate. Compiled code is kept in a folder keyed by a hash of all sources of the package,
+because numba's own cache does not notice a changed callee in another file.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import pathlib
+import sys
+import tempfile
+
+import numba
+
+_PACKAGE = pathlib.Path(__file__).parent
+
+_OPTIONS: dict = {
+    "error_model": "numpy",  # a division by zero gives inf, which the solver's checks see; the test for it costs 4x
+    "fastmath": {"contract"},  # fused multiply-add only: results must not depend on reordering
+    "cache": True,
+    "nogil": True,  # islands advance in threads
+}
+
+
+def _counts_references() -> bool:
+    """Whether numba's private switch `_nrt` is gone, so that arrays in NamedTuples are reference-counted on each call.
+
+    Without the switch a small model takes twice the time; the results are the same (tests/unit/test_jit.py).
+    """
+    if os.environ.get("MOORAGE_NRT") == "1":
+        return True
+    try:
+        numba.njit(lambda x: x, _nrt=False)(1)
+    except Exception:  # any complaint about an option that we do not own
+        return True
+    return False
+
+
+if not _counts_references():
+    _OPTIONS["_nrt"] = False
+
+
+def _key() -> str:
+    digest = hashlib.sha256(repr((_OPTIONS.keys(), numba.__version__, sys.version_info[:3])).encode())
+    for folder in ("physics", "system", "solve"):
+        for path in sorted((_PACKAGE / folder).glob("*.py")):
+            digest.update(path.read_bytes())
+    for name in ("_jit.py", "_vec3.py", "layout.py"):
+        digest.update((_PACKAGE / name).read_bytes())
+    return digest.hexdigest()[:16]
+
+
+def _cache_folder() -> pathlib.Path:
+    """The first place that can be written; numba would raise at import if there were none."""
+    chosen = os.environ.get("MOORAGE_CACHE")
+    home = os.environ.get("XDG_CACHE_HOME") or os.path.join(os.path.expanduser("~"), ".cache")
+    for root in filter(None, (chosen, os.path.join(home, "moorage"), os.path.join(tempfile.gettempdir(), "moorage"))):
+        folder = pathlib.Path(root) / ("kernels-" + _key())
+        try:
+            folder.mkdir(parents=True, exist_ok=True)
+            probe = folder / f".probe-{os.getpid()}"
+            probe.touch()
+            probe.unlink()
+        except OSError:
+            continue
+        return folder
+    return pathlib.Path(tempfile.mkdtemp(prefix="moorage-"))
+
+
+CACHE = _cache_folder()
+numba.config.CACHE_DIR = str(CACHE)
+
+
+def is_cold() -> bool:
+    """Return whether the kernels have still to be compiled on this machine (about half a minute, once)."""
+    return not (CACHE / "warm").exists()
+
+
+def mark_warm() -> None:
+    """Note that the main kernels are in the cache."""
+    (CACHE / "warm").touch()
+
+
+def kernel(function):
+    """Compile a loop over arrays."""
+    return numba.njit(function, **_OPTIONS)
+
+
+def inlined(function):
+    """Compile a pure function of tuples, always inlined by LLVM (no call, no tuple in memory)."""
+    return numba.njit(function, forceinline=True, **_OPTIONS)

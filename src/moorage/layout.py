@@ -1,0 +1,134 @@
+"""The flat layout of a system, its state and the workspace.
+
+    line 0            line 1                 points
+    o--o--o--o--o     o--o--o                *  *  *  *
+    0  1  2  3  4     5  6  7                8  9 10 11     rows of every state array, (rows, 3)
+      0  1  2  3        4  5                                segments: that after node i of line k is i - k
+
+Lines and points stand in the order of the file. A line owns both its end nodes; they copy the point that they hold on
+to, or follow the prescribed motion of that point (whose own row is then not used). Lines that share free points form an
+island; islands do not see each other, and each takes steps of its own size.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from moorage._jit import inlined
+from moorage.physics.bending import Bending
+from moorage.physics.current import Current
+from moorage.physics.morison import Morison
+from moorage.physics.motion import Tracks
+from moorage.physics.point import PointLoads
+from moorage.physics.seabed import Seabed
+from moorage.physics.tension import Tension
+from moorage.physics.weight import Weight
+
+
+class Lines(NamedTuple):
+    """Topology of the lines."""
+
+    node_ptr: np.ndarray  # (lines + 1,)
+    end_point: np.ndarray  # (lines, 2) point at end A and at end B
+    end_unknown: np.ndarray  # (lines, 2) number of that point among the free points of its island, -1: prescribed
+    bends: np.ndarray  # (lines,) bool: has bending stiffness
+
+
+class Islands(NamedTuple):
+    """Lines and free points of each island, as lists in compressed rows."""
+
+    line_ptr: np.ndarray  # (islands + 1,)
+    lines: np.ndarray  # (lines,)
+    point_ptr: np.ndarray  # (islands + 1,)
+    points: np.ndarray  # (free points,)
+    matrix_ptr: np.ndarray  # (islands + 1,) offsets of the junction matrices
+
+
+class System(NamedTuple):
+    """All parameters; one compiled signature serves every model."""
+
+    lines: Lines
+    islands: Islands
+    tension: Tension
+    bending: Bending
+    weight: Weight
+    morison: Morison
+    seabed: Seabed
+    points: PointLoads
+    current: Current
+    tracks: Tracks
+
+
+class State(NamedTuple):
+    """Motion of all rows at one time."""
+
+    position: np.ndarray  # (rows, 3) m
+    velocity: np.ndarray  # (rows, 3) m/s
+    acceleration: np.ndarray  # (rows, 3) m/s2, exact at the end of the step
+    auxiliary: np.ndarray  # (rows, 3) m/s2, the averaged acceleration of Arnold and Bruls
+
+
+class Blocks(NamedTuple):
+    """The Newton matrix of all lines, S = c.mass M + c.damping C + c.stiffness K, and what elimination leaves of it."""
+
+    own: np.ndarray  # (rows, 6) S[i, i], then its inverse after elimination
+    next: np.ndarray  # (rows, 9) S[i+1, i]
+    skip: np.ndarray  # (rows, 9) S[i+2, i], lines with bending only
+    start: np.ndarray  # (rows, 9) fill-in S[i, first], lines whose end A is free only
+
+
+class Work(NamedTuple):
+    """Scratch space of one process."""
+
+    trial: State
+    blocks: Blocks
+    force: np.ndarray  # (rows, 3) out-of-balance force, N
+    increment: np.ndarray  # (rows, 3) solution of S x = force
+    junction_matrix: np.ndarray  # (sum of (3 free)^2,) one dense matrix an island
+    junction_force: np.ndarray  # (3 free points,)
+
+
+class Weights(NamedTuple):
+    """How the parts of the tangent are mixed into S."""
+
+    mass: float
+    damping: float
+    stiffness: float
+
+
+def new_state(rows) -> State:
+    """Return a state of zeros."""
+    return State(*(np.zeros((rows, 3)) for _ in State._fields))
+
+
+def copy_of(state: State) -> State:
+    """Return an independent copy of a state."""
+    return State(*(values.copy() for values in state))
+
+
+def new_work(system: System) -> Work:
+    """Return scratch space for a system."""
+    rows = int(system.lines.node_ptr[-1]) + len(system.points.mass)
+    blocks = Blocks(*(np.zeros((rows, width)) for width in (6, 9, 9, 9)))
+    return Work(
+        new_state(rows),
+        blocks,
+        np.zeros((rows, 3)),
+        np.zeros((rows, 3)),
+        np.zeros(int(system.islands.matrix_ptr[-1])),
+        np.zeros(3 * len(system.islands.points)),
+    )
+
+
+@inlined
+def line_nodes(lines, line):
+    """First and last node of a line."""
+    return lines.node_ptr[line], lines.node_ptr[line + 1] - 1
+
+
+@inlined
+def point_row(lines, point):
+    """Row of a point in the state arrays."""
+    return lines.node_ptr[len(lines.node_ptr) - 1] + point

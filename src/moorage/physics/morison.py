@@ -1,0 +1,63 @@
+"""Inertia with added mass, and drag, of a slender node with tangent q (Hall & Goupee 2015, equations 10-15).
+
+    inertia  -[m + rho V (Can (I - q q^T) + Cat q q^T)] a
+    drag     -0.5 rho Cdn d l |u_t| u_t - 0.5 rho Cdt pi d l |u_q| u_q,   u = v - U, u_q = (u.q) q, u_t = u - u_q
+
+with U the velocity of the water.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from moorage._jit import inlined
+from moorage._vec3 import add, dot, isotropic_plus, scale, sub, sym_add
+
+
+class Morison(NamedTuple):
+    """Parameters: what a node has when all of it is wet, and what each whole segment contributes."""
+
+    mass: np.ndarray  # (nodes,) kg
+    node: np.ndarray  # (nodes, 4) wet: transverse and tangential added mass, kg; same of drag, N s2/m2
+    segment: np.ndarray  # (segments, 4) the same of a whole segment
+
+
+@inlined
+def wet_node(p, i):
+    """Added masses and drag factors of a node that is wholly under water."""
+    return p.node[i, 0], p.node[i, 1], p.node[i, 2], p.node[i, 3]
+
+
+@inlined
+def wet_part(p, i, j0, share0, j1, share1):
+    """Added masses and drag factors of a node of which shares of segments j0 and j1 are wet (0.5 = all)."""
+    d0, d1 = 0.5 - share0, 0.5 - share1
+    return (
+        p.node[i, 0] - d0 * p.segment[j0, 0] - d1 * p.segment[j1, 0],
+        p.node[i, 1] - d0 * p.segment[j0, 1] - d1 * p.segment[j1, 1],
+        p.node[i, 2] - d0 * p.segment[j0, 2] - d1 * p.segment[j1, 2],
+        p.node[i, 3] - d0 * p.segment[j0, 3] - d1 * p.segment[j1, 3],
+    )
+
+
+@inlined
+def inertia_terms(normal, axial, q, a, c):
+    """Force -M a on a node of transverse and axial mass (kg), and the block c.mass M."""
+    extra = axial - normal
+    force = add(scale(-normal, a), scale(-extra * dot(a, q), q))
+    return force, isotropic_plus(c.mass * normal, c.mass * extra, q)
+
+
+@inlined
+def drag_terms(normal, axial, q, u, c):
+    """Drag on a node that moves with u (m/s) through the water, and its block (q is held in the block)."""
+    uq = dot(u, q)
+    ut = sub(u, scale(uq, q))
+    speed = math.sqrt(dot(ut, ut))
+    kn, kt = normal * speed, axial * abs(uq)
+    force = add(scale(-kn, ut), scale(-kt * uq, q))
+    along_flow = isotropic_plus(0.0, c.damping * normal / (speed + 1e-9), ut)
+    return force, sym_add(isotropic_plus(c.damping * kn, c.damping * (2.0 * kt - kn), q), along_flow)

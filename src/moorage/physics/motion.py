@@ -1,0 +1,68 @@
+"""Prescribed motion of points: cubic splines in time (C2), so that the imposed velocity never jumps.
+
+A velocity that jumps by dv puts sqrt(EA m) dv of false tension on a line.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from scipy.interpolate import CubicSpline
+
+from moorage._jit import inlined, kernel
+from moorage.physics.table import interval
+
+
+class Tracks(NamedTuple):
+    """Splines of the moving points; a track holds position = sum of coefficient s^power, s from the last knot."""
+
+    track: np.ndarray  # (points,) index of a point's track, -1: stays at `rest`
+    rest: np.ndarray  # (points, 3) m
+    knots: np.ndarray  # (knots,) s
+    coefficients: np.ndarray  # (tracks, knots - 1, 3, 4) highest power first
+
+
+def no_tracks(rest) -> Tracks:
+    """Keep every point where it is."""
+    return Tracks(np.full(len(rest), -1), np.array(rest, dtype=float), np.array([0.0, 1.0]), np.zeros((0, 1, 3, 4)))
+
+
+def spline_tracks(rest, time, positions) -> Tracks:
+    """Put not-a-knot cubic splines through positions {point index: (n, 3)} at times (n,)."""
+    track = np.full(len(rest), -1)
+    track[list(positions)] = np.arange(len(positions))
+    splines = [CubicSpline(time, p, bc_type="not-a-knot" if len(time) > 3 else "natural") for p in positions.values()]
+    coefficients = np.array([s.c.transpose(1, 2, 0) for s in splines]).reshape(len(splines), len(time) - 1, 3, 4)
+    return Tracks(track, np.array(rest, float), np.array(time, float), np.ascontiguousarray(coefficients))
+
+
+@inlined
+def follow(p, point, t):
+    """Position (m), velocity (m/s) and acceleration (m/s2) of a prescribed point at time t."""
+    zero = (0.0, 0.0, 0.0)
+    track = p.track[point]
+    if track < 0:
+        return (p.rest[point, 0], p.rest[point, 1], p.rest[point, 2]), zero, zero
+    k = interval(p.knots, 0, len(p.knots), t)
+    s = t - p.knots[k]
+    c = p.coefficients
+    r0, v0, a0 = cubic(c[track, k, 0, 0], c[track, k, 0, 1], c[track, k, 0, 2], c[track, k, 0, 3], s)
+    r1, v1, a1 = cubic(c[track, k, 1, 0], c[track, k, 1, 1], c[track, k, 1, 2], c[track, k, 1, 3], s)
+    r2, v2, a2 = cubic(c[track, k, 2, 0], c[track, k, 2, 1], c[track, k, 2, 2], c[track, k, 2, 3], s)
+    return (r0, r1, r2), (v0, v1, v2), (a0, a1, a2)
+
+
+@inlined
+def cubic(a, b, c, d, s):
+    """Value, slope and curvature of a s^3 + b s^2 + c s + d."""
+    return ((a * s + b) * s + c) * s + d, (3.0 * a * s + 2.0 * b) * s + c, 6.0 * a * s + 2.0 * b
+
+
+@kernel
+def sample_track(p, point, times, position, velocity, acceleration):
+    """Fill (n, 3) arrays with the motion of a prescribed point at times (n,)."""
+    for k in range(len(times)):
+        r, v, a = follow(p, point, times[k])
+        for x in range(3):
+            position[k, x], velocity[k, x], acceleration[k, x] = r[x], v[x], a[x]

@@ -1,0 +1,53 @@
+"""Loads on a point by itself: weight, buoyancy, a constant force, isotropic added mass and drag.
+
+Buoyancy and hydrodynamics act on the wet fraction of a sphere of the point's volume, (1 - s)^2 (2 + s) / 4 at the centre's
+height s in radii above the surface; MoorDyn keeps them in air too, so that a float would leave the sea.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from moorage._jit import inlined
+from moorage._vec3 import add, dot, isotropic_plus, scale, sub
+from moorage.physics.current import current_at
+
+
+class PointLoads(NamedTuple):
+    """Parameters of the points."""
+
+    mass: np.ndarray  # (points,) kg
+    added_mass: np.ndarray  # (points,) wet, kg
+    weight: np.ndarray  # (points,) upwards, -g m, N
+    buoyancy: np.ndarray  # (points,) wet, N
+    drag: np.ndarray  # (points,) wet, 0.5 rho CdA, N s2/m2
+    radius: np.ndarray  # (points,) of the sphere of equal volume, m
+    force: np.ndarray  # (points, 3) constant, N
+
+
+@inlined
+def wet_fraction(radius, z):
+    """Wet fraction of a sphere whose centre is z above the surface, and its slope (1/m)."""
+    if z <= -radius:
+        return 1.0, 0.0
+    if z >= radius:
+        return 0.0, 0.0
+    s = z / radius
+    return 0.25 * (1.0 - s) * (1.0 - s) * (2.0 + s), -0.75 * (1.0 - s * s) / radius
+
+
+@inlined
+def point_terms(p, current, k, r, v, a, c):
+    """Force on point k and its block."""
+    wet, slope = wet_fraction(p.radius[k], r[2])
+    u = sub(v, current_at(current, r[2]))
+    speed = math.sqrt(dot(u, u))
+    mass, drag = p.mass[k] + wet * p.added_mass[k], wet * p.drag[k]
+    force = add(scale(-mass, a), scale(-drag * speed, u))
+    lift = p.weight[k] + wet * p.buoyancy[k]
+    block = isotropic_plus(c.mass * mass + c.damping * drag * speed, c.damping * drag / (speed + 1e-9), u)
+    total = force[0] + p.force[k, 0], force[1] + p.force[k, 1], force[2] + p.force[k, 2] + lift
+    return total, (block[0], block[1], block[2], block[3], block[4], block[5] - c.stiffness * slope * p.buoyancy[k])

@@ -1,0 +1,84 @@
+"""Explicit Runge-Kutta steps of order 2 (midpoint) and 4, to check the implicit one. They need a small time step."""
+
+from __future__ import annotations
+
+import math
+
+from moorage._jit import inlined, kernel
+from moorage._vec3 import accumulate, add, dot, get, put, scale
+from moorage.layout import line_nodes, point_row
+from moorage.solve.implicit import set_accelerations
+
+ZERO3 = (0.0, 0.0, 0.0)
+
+
+@kernel
+def explicit_step(system, now, trial, work, island, t, h, order):
+    """Advance an island from t to t + h. Returns (finite, largest speed in m/s, its row).
+
+    The sums of the stages are kept in trial.auxiliary (velocities) and work.increment's companion arrays: stage states
+    live in work.trial.
+    """
+    stage = work.trial
+    lines, islands = system.lines, system.islands
+    l0, l1 = islands.line_ptr[island], islands.line_ptr[island + 1]
+    p0, p1 = islands.point_ptr[island], islands.point_ptr[island + 1]
+    stages = 2 if order == 2 else 4
+    for m in range(l0, l1):
+        first, last = line_nodes(lines, islands.lines[m])
+        for i in range(first, last + 1):
+            begin_row(now, trial, stage, i)
+    for p in range(p0, p1):
+        begin_row(now, trial, stage, point_row(lines, islands.points[p]))
+    for s in range(stages):
+        node, weight = tableau(order, s)
+        ahead = tableau(order, s + 1)[0] if s + 1 < stages else 0.0
+        set_accelerations(system, stage, work, island, t + node * h)
+        for m in range(l0, l1):
+            first, last = line_nodes(lines, islands.lines[m])
+            for i in range(first, last + 1):
+                stage_row(now, trial, stage, i, h * weight, h * ahead)
+        for p in range(p0, p1):
+            stage_row(now, trial, stage, point_row(lines, islands.points[p]), h * weight, h * ahead)
+    set_accelerations(system, trial, work, island, t + h)
+    fastest, where = 0.0, -1
+    for m in range(l0, l1):
+        first, last = line_nodes(lines, islands.lines[m])
+        for i in range(first, last + 1):
+            speed = dot(get(trial.velocity, i), get(trial.velocity, i))
+            if not speed <= fastest:
+                fastest, where = speed, i
+            if not speed < 1e300:
+                return False, 1e300, i
+    return fastest < 1e10, math.sqrt(fastest), where
+
+
+@inlined
+def tableau(order, stage):
+    """Node and weight of a stage; each stage starts from the slopes of the one before it only."""
+    if order == 2:
+        return (0.0, 0.0) if stage == 0 else (0.5, 1.0)
+    if stage == 0:
+        return 0.0, 1.0 / 6.0
+    if stage == 3:
+        return 1.0, 1.0 / 6.0
+    return 0.5, 1.0 / 3.0
+
+
+@inlined
+def begin_row(now, trial, stage, i):
+    put(trial.position, i, get(now.position, i))
+    put(trial.velocity, i, get(now.velocity, i))
+    put(trial.auxiliary, i, ZERO3)
+    put(stage.position, i, get(now.position, i))
+    put(stage.velocity, i, get(now.velocity, i))
+
+
+@inlined
+def stage_row(now, trial, stage, i, weight, ahead):
+    """Add a stage's slopes to the end state, and set the state of the next stage."""
+    v, a = get(stage.velocity, i), get(stage.acceleration, i)
+    accumulate(trial.position, i, scale(weight, v))
+    accumulate(trial.velocity, i, scale(weight, a))
+    put(stage.position, i, add(get(now.position, i), scale(ahead, v)))
+    put(stage.velocity, i, add(get(now.velocity, i), scale(ahead, a)))

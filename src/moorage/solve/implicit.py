@@ -1,0 +1,137 @@
+"""Implicit time stepping: generalised-alpha in the collocated form of Arnold & Bruls (2007).
+
+The equations of motion hold exactly at the end of each step; the auxiliary acceleration a carries the averaging:
+
+    (1 - am) a1 + am a0 = (1 - af) acc1 + af acc0
+    v1 = v0 + h ((1 - gamma) a0 + gamma a1),   r1 = r0 + h v0 + h^2 ((1/2 - beta) a0 + beta a1)
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+from moorage._jit import inlined, kernel
+from moorage._vec3 import add, dot, get, put, scale, sub
+from moorage.layout import Weights, line_nodes, point_row
+from moorage.solve.newton import assemble_island, shift, solve_island
+from moorage.system.attach import attach
+
+
+class Scheme(NamedTuple):
+    """Coefficients of one step of length h."""
+
+    h: float
+    rr0: float  # r1 = r0 + h v0 + rr0 a0 + rr1 a1
+    rr1: float
+    vv0: float  # v1 = v0 + vv0 a0 + vv1 a1
+    vv1: float
+    new: float  # a1 = new acc1 + old acc0 + keep a0
+    old: float
+    keep: float
+
+
+@inlined
+def generalised_alpha(rho, h):
+    """Coefficients for a spectral radius rho at infinite frequency."""
+    am, af = (2.0 * rho - 1.0) / (rho + 1.0), rho / (rho + 1.0)
+    gamma, beta = 0.5 - am + af, 0.25 * (1.0 - am + af) ** 2
+    f = 1.0 / (1.0 - am)
+    return Scheme(
+        h, (0.5 - beta) * h * h, beta * h * h, (1.0 - gamma) * h, gamma * h, (1.0 - af) * f, af * f, -am * f
+    )
+
+
+@inlined
+def predict_row(now, trial, i, k):
+    """Set a row of the trial state as if the acceleration stayed what it is."""
+    acc, a0, v0 = get(now.acceleration, i), get(now.auxiliary, i), get(now.velocity, i)
+    a1 = add(scale(k.new + k.old, acc), scale(k.keep, a0))
+    r1 = add(add(get(now.position, i), scale(k.h, v0)), add(scale(k.rr0, a0), scale(k.rr1, a1)))
+    put(trial.position, i, r1)
+    put(trial.velocity, i, add(v0, add(scale(k.vv0, a0), scale(k.vv1, a1))))
+    put(trial.acceleration, i, acc)
+
+
+@inlined
+def finish_row(now, trial, i, k):
+    """Set the auxiliary acceleration of a row; returns its change squared."""
+    a0 = get(now.auxiliary, i)
+    a1 = add(scale(k.new, get(trial.acceleration, i)), scale(k.old, get(now.acceleration, i)))
+    a1 = add(a1, scale(k.keep, a0))
+    put(trial.auxiliary, i, a1)
+    return dot(sub(a1, a0), sub(a1, a0))
+
+
+@kernel
+def implicit_step(system, now, trial, work, island, t, h, control):
+    """Try one step of an island from t to t + h.
+
+    Returns (converged, iterations, change, row): rms change of the auxiliary acceleration (m/s2) over the island, and
+    the row of the last largest increment.
+    """
+    lines, islands = system.lines, system.islands
+    k = generalised_alpha(control.rho, h)
+    c = Weights(1.0, k.vv1 * k.new, k.rr1 * k.new)
+    l0, l1 = islands.line_ptr[island], islands.line_ptr[island + 1]
+    p0, p1 = islands.point_ptr[island], islands.point_ptr[island + 1]
+    for m in range(l0, l1):
+        first, last = line_nodes(lines, islands.lines[m])
+        for i in range(first, last + 1):
+            predict_row(now, trial, i, k)
+    for p in range(p0, p1):
+        predict_row(now, trial, point_row(lines, islands.points[p]), k)
+    attach(system, trial, island, t + h)
+    converged, iterations, row = False, 0, -1
+    while iterations < control.iterations:
+        assemble_island(system, trial, now.position, work, island, c)
+        solve_island(system, trial, work, island, c)
+        largest, row = shift(system, trial, work, island, c.stiffness, c.damping, 1.0)
+        iterations += 1
+        if not largest < 1e100:
+            break
+        if c.damping * largest < control.newton:
+            converged = True
+            break
+    total, rows = 0.0, p1 - p0
+    for m in range(l0, l1):
+        first, last = line_nodes(lines, islands.lines[m])
+        rows += last + 1 - first
+        for i in range(first, last + 1):
+            total += finish_row(now, trial, i, k)
+    for p in range(p0, p1):
+        total += finish_row(now, trial, point_row(lines, islands.points[p]), k)
+    return converged, iterations, math.sqrt(total / rows), row
+
+
+@kernel
+def set_accelerations(system, state, work, island, t):
+    """Set the accelerations that balance the forces at time t: M a = f."""
+    lines, islands = system.lines, system.islands
+    c = Weights(1.0, 0.0, 0.0)
+    l0, l1 = islands.line_ptr[island], islands.line_ptr[island + 1]
+    p0, p1 = islands.point_ptr[island], islands.point_ptr[island + 1]
+    for m in range(l0, l1):
+        first, last = line_nodes(lines, islands.lines[m])
+        for i in range(first, last + 1):
+            put(state.acceleration, i, (0.0, 0.0, 0.0))
+    for p in range(p0, p1):
+        put(state.acceleration, point_row(lines, islands.points[p]), (0.0, 0.0, 0.0))
+    attach(system, state, island, t)
+    assemble_island(system, state, state.position, work, island, c)
+    solve_island(system, state, work, island, c)
+    shift(system, state, work, island, 0.0, 0.0, 1.0)
+
+
+@kernel
+def start_island(system, state, work, island, t):
+    """Set consistent accelerations, true and auxiliary, at the start of a run."""
+    lines, islands = system.lines, system.islands
+    set_accelerations(system, state, work, island, t)
+    for m in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
+        first, last = line_nodes(lines, islands.lines[m])
+        for i in range(first, last + 1):
+            put(state.auxiliary, i, get(state.acceleration, i))
+    for p in range(islands.point_ptr[island], islands.point_ptr[island + 1]):
+        row = point_row(lines, islands.points[p])
+        put(state.auxiliary, row, get(state.acceleration, row))

@@ -1,0 +1,241 @@
+"""A run in time: settings in words, blocks of results out, checkpoints to go on from."""
+
+from __future__ import annotations
+
+import os
+from concurrent.futures import ThreadPoolExecutor
+from typing import NamedTuple
+
+import numpy as np
+
+from moorage.errors import SimulationError
+from moorage.layout import new_state
+from moorage.physics.motion import sample_track
+from moorage.solve import record as columns
+from moorage.solve.march_kernel import OK, UNSTABLE, Clocks, Control, march_islands, start_islands
+from moorage.solve.places import place_name
+from moorage.solve.record import Record, new_record
+from moorage.system.build import Built
+
+Block = dict[str, np.ndarray]
+
+THREAD_NODES = 5000  # fewer nodes than this are not worth a second thread (docs/developer/measurements.md)
+
+
+class Settings(NamedTuple):
+    """How to march.
+
+    Parameters
+    ----------
+    method : {"implicit", "rk2", "rk4"}
+    tolerance : float
+        Relative accuracy asked of tensions in adaptive runs (about the rms error over a run).
+    time_step : float or None
+        Constant step, s; None: adaptive (implicit only).
+    dt_out : float
+        Interval of the records, s.
+    dt_nodes : float or None
+        Interval of the node histories, s; None: none.
+    watch : tuple of (line index, node index)
+        Nodes recorded at `dt_out`.
+    """
+
+    method: str = "implicit"
+    tolerance: float = 0.01
+    time_step: float | None = None
+    dt_out: float = 0.1
+    dt_nodes: float | None = None
+    watch: tuple[tuple[int, int], ...] = ()
+
+
+def control_of(settings: Settings) -> Control:
+    """Translate settings into the constants of the time loop."""
+    orders = {"implicit": 0, "rk2": 2, "rk4": 4}
+    if settings.method not in orders:
+        raise ValueError(f"method is one of {', '.join(orders)}, not {settings.method!r}")
+    order, adaptive = orders[settings.method], settings.time_step is None
+    if order and adaptive:
+        raise ValueError(f"method {settings.method!r} needs a time step: it does not control its own")
+    tight = min(settings.tolerance, 0.01)
+    return Control(
+        order=order,
+        adaptive=int(adaptive),
+        step=0.02 if settings.time_step is None else float(settings.time_step),
+        step_min=1e-7,
+        step_max=0.15,
+        error=settings.tolerance if adaptive else 1e30,
+        rho=0.7,
+        newton=tight,
+        iterations=10,
+    )
+
+
+class March:
+    """A run of a built system from its present state, at time 0."""
+
+    def __init__(self, built: Built, settings: Settings, duration: float):
+        self.built, self.settings, self.duration = built, settings, float(duration)
+        self.control = control_of(settings)
+        self.time = 0.0
+        self._rows = 0  # output times recorded so far, time 0 included
+        self._node_rows = 0
+        islands = len(built.system.islands.line_ptr) - 1
+        self.clocks = Clocks(
+            np.zeros(islands),
+            np.zeros(islands),
+            np.full(islands, self.control.step),
+            np.zeros((islands, 3), dtype=np.int64),
+            np.zeros(islands, dtype=np.int64),
+            np.full(islands, -1, dtype=np.int64),
+        )
+        self.old = new_state(len(built.state.position))
+        start_islands(built.system, built.state, built.work, 0.0)
+        for target, source in zip(self.old, built.state, strict=True):
+            target[...] = source
+
+    @property
+    def counters(self) -> dict[str, int]:
+        """Steps, rejected steps and Newton iterations of all islands so far."""
+        steps, rejected, iterations = self.clocks.counts.sum(axis=0)
+        return {"steps": int(steps), "rejected": int(rejected), "iterations": int(iterations)}
+
+    def first(self) -> Block:
+        """Return the records at time 0."""
+        return self.advance(0.0)
+
+    def advance(self, until: float) -> Block:
+        """Advance to `until` (s) and return the records of output times since the last call, up to there.
+
+        Raises
+        ------
+        SimulationError
+            An island could not go on; `.block` holds the records up to the failure.
+        """
+        until = min(float(until), self.duration)
+        times, node_times = self._times_up_to(until)
+        watched = np.array(self.settings.watch, dtype=np.int64).reshape(-1, 2)
+        record = new_record(self.built.system, times, node_times, watched)
+        self._march(until, record)
+        failed = np.flatnonzero(self.clocks.status != OK)
+        if len(failed):
+            raise self._failure(int(failed[np.argmin(self.clocks.time[failed])]), record)
+        self.time = until
+        self._rows += len(times)
+        self._node_rows += len(node_times)
+        return self._block(record, len(times), len(node_times))
+
+    def checkpoint(self) -> Block:
+        """Return everything that `restore` needs to go on, bit for bit, as arrays."""
+        saved: Block = {f"now_{k}": v.copy() for k, v in zip(self.old._fields, self.built.state, strict=True)}
+        saved |= {f"old_{k}": v.copy() for k, v in zip(self.old._fields, self.old, strict=True)}
+        saved |= {f"clock_{k}": v.copy() for k, v in zip(self.clocks._fields, self.clocks, strict=True)}
+        saved["march"] = np.array([self.time, self._rows, self._node_rows])
+        return saved
+
+    def restore(self, saved: Block) -> None:
+        """Go back to a checkpoint."""
+        for prefix, target in (("now", self.built.state), ("old", self.old), ("clock", self.clocks)):
+            for name, array in zip(target._fields, target, strict=True):
+                array[...] = saved[f"{prefix}_{name}"]
+        self.time, self._rows, self._node_rows = (
+            float(saved["march"][0]),
+            int(saved["march"][1]),
+            int(saved["march"][2]),
+        )
+
+    def _times_up_to(self, until: float):
+        def grid(interval, done):
+            last = int(np.floor(until / interval + 1e-6))
+            return interval * np.arange(done, last + 1)
+
+        dt_nodes = self.settings.dt_nodes
+        node_times = grid(dt_nodes, self._node_rows) if dt_nodes else np.zeros(0)
+        return grid(self.settings.dt_out, self._rows), node_times
+
+    def _march(self, until: float, record: Record) -> None:
+        built = self.built
+        islands = len(self.clocks.time)
+
+        def part(bounds):
+            march_islands(
+                built.system, self.old, built.state, built.work, self.clocks, self.control, bounds[0], bounds[1],
+                until, self.duration, built.island_of_line, record,
+            )  # fmt: skip
+
+        workers = min(os.cpu_count() or 1, islands, int(built.names.node_ptr[-1]) // THREAD_NODES + 1)
+        if workers == 1:
+            part((0, islands))
+            return
+        cuts = np.linspace(0, islands, 4 * workers + 1).astype(int)
+        with ThreadPoolExecutor(workers) as pool:
+            list(pool.map(part, zip(cuts[:-1], cuts[1:], strict=True)))
+
+    def _block(self, record: Record, rows: int, node_rows: int) -> Block:
+        """Split the buffers into named arrays of the first `rows` times."""
+        c, lines = columns, record.lines[:rows]
+        ends = (c.FORCE_A, c.FORCE_B), (c.LOAD_A, c.LOAD_B)
+        force, load = (np.stack([lines[:, :, a : a + 3], lines[:, :, b : b + 3]], axis=2) for a, b in ends)
+        points = record.points[:rows].copy()
+        self._fill_prescribed(record.time[:rows], points)
+        w = record.watch[:rows]
+        block = {
+            "time": record.time[:rows],
+            "end_force": force,
+            "end_load": load,
+            "end_tension": lines[:, :, [c.TENSION_A, c.TENSION_B]],
+            "lowest_tension": lines[:, :, c.LOWEST],
+            "grounded_length": lines[:, :, c.GROUNDED],
+            "point_position": points[:, :, 0:3],
+            "point_velocity": points[:, :, 3:6],
+            "point_acceleration": points[:, :, 6:9],
+            "point_force": self._point_force(force),
+            "watch_position": w[:, :, c.POSITION : c.POSITION + 3],
+            "watch_velocity": w[:, :, c.VELOCITY : c.VELOCITY + 3],
+            "watch_force": w[:, :, c.FORCE : c.FORCE + 3],
+            "watch_tension": w[:, :, c.TENSION],
+        }
+        if self.settings.dt_nodes:
+            block |= {
+                "node_time": record.node_time[:node_rows],
+                "node_position": record.node_position[:node_rows],
+                "node_velocity": record.node_velocity[:node_rows],
+                "segment_tension": record.segment_tension[:node_rows],
+            }
+        return block
+
+    def _fill_prescribed(self, times, points) -> None:
+        system = self.built.system
+        listed = set(system.islands.points.tolist())
+        for k in range(points.shape[1]):
+            if k not in listed:
+                r, v, a = (np.zeros((len(times), 3)) for _ in range(3))
+                sample_track(system.tracks, k, times, r, v, a)
+                points[:, k] = np.concatenate([r, v, a], axis=1)
+
+    def _point_force(self, force) -> np.ndarray:
+        """Sum of the forces of all lines on each point."""
+        ends = self.built.system.lines.end_point
+        total = np.zeros((len(force), len(self.built.names.points), 3))
+        for end in range(2):
+            np.add.at(total, (slice(None), ends[:, end]), force[:, :, end])
+        return total
+
+    def _failure(self, island: int, record: Record) -> SimulationError:
+        time = float(self.clocks.time[island])
+        rows = int(np.searchsorted(record.time, self.clocks.time.min(), side="right"))
+        node_rows = int(np.searchsorted(record.node_time, self.clocks.time.min(), side="right"))
+        place = place_name(self.built, int(self.clocks.row[island]))
+        if self.clocks.status[island] == UNSTABLE:
+            cause = (
+                f"the explicit step of {self.control.step:g} s is too long for the stiffest segment.\n    -> Use a "
+                "smaller --time-step, or the implicit method, which needs none"
+            )
+        else:
+            cause = (
+                f"no step down to {self.control.step_min:g} s solves the equations of motion.\n    -> Look at what "
+                "happens there: a line pulled beyond reason, a segment folded back on itself, a table that falls, "
+                "or imposed motion that jumps"
+            )
+        error = SimulationError(f"the run stopped at {time:.4f} s at {place}: {cause}", time)
+        error.block = self._block(record, rows, node_rows)  # type: ignore[attr-defined]
+        return error

@@ -1,0 +1,165 @@
+"""The compiled time loop of islands: steps of their own size, control of that size, output on the way."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from moorage._jit import inlined, kernel
+from moorage._vec3 import get, put
+from moorage.layout import line_nodes, point_row
+from moorage.solve.explicit import explicit_step
+from moorage.solve.implicit import implicit_step, start_island
+from moorage.solve.record import record_lines, record_nodes, record_watched, sample_island
+
+OK, NO_SOLUTION, UNSTABLE = 0, 1, 2
+
+
+class Control(NamedTuple):
+    """Settings of the time loop."""
+
+    order: int  # 0: implicit, 2 or 4: explicit Runge-Kutta of that order
+    adaptive: int  # 1: step from the error estimate, 0: constant step
+    step: float  # constant step, or the first one, s
+    step_min: float  # s: below this a run fails
+    step_max: float  # s
+    error: float  # accepted h^2 |a1 - a0|, m
+    rho: float  # spectral radius at infinite frequency
+    newton: float  # Newton stops at velocity increments below this, m/s
+    iterations: int  # at most so many, then the step is halved
+
+
+class Clocks(NamedTuple):
+    """Where each island is in time."""
+
+    begin: np.ndarray  # (islands,) start of the last step, s
+    time: np.ndarray  # (islands,) end of the last step, s
+    step: np.ndarray  # (islands,) size to try next, s
+    counts: np.ndarray  # (islands, 3) steps, rejected steps, node iterations
+    status: np.ndarray  # (islands,) OK or why it stopped
+    row: np.ndarray  # (islands,) state row where it stopped
+
+
+@kernel
+def start_islands(system, state, work, t):
+    """Set consistent accelerations of all islands at time t."""
+    for island in range(len(system.islands.line_ptr) - 1):
+        start_island(system, state, work, island, t)
+
+
+@kernel
+def march_islands(system, old, now, work, clocks, control, begin, end, until, stop, island_of_line, record):
+    """Advance islands begin..end-1 to `until` and write the outputs up to there; no step goes beyond `stop`."""
+    for island in range(begin, end):
+        if clocks.status[island] == OK:
+            march_island(system, old, now, work, clocks, control, island, until, stop, island_of_line, record)
+
+
+@kernel
+def march_island(system, old, now, work, clocks, control, island, until, stop, island_of_line, record):
+    a, b = old, now  # the step goes from a to b; both swap with each step and are put back in place at the end
+    swapped = False
+    before, after = record.samples[0], record.samples[1]
+    known_before, known_after = False, False
+    row, node_row = 0, 0
+    t0, t, h = clocks.begin[island], clocks.time[island], clocks.step[island]
+    eps = 1e-9 * max(1.0, abs(until))
+    while True:
+        while row < len(record.time) and record.time[row] <= t + eps:
+            if not known_before:
+                sample_island(system, a, island, before)
+            if not known_after:
+                sample_island(system, b, island, after)
+            known_before, known_after = True, True
+            s = fraction(record.time[row], t0, t)
+            record_lines(system, a, b, island, before, after, t - t0, s, record, row)
+            if len(record.watched) > 0:
+                record_watched(system, a, b, island_of_line, island, t - t0, s, record, row)
+            row += 1
+        while node_row < len(record.node_time) and record.node_time[node_row] <= t + eps:
+            s = fraction(record.node_time[node_row], t0, t)
+            record_nodes(system, a, b, island, t - t0, s, record, node_row)
+            node_row += 1
+        if t >= until - eps:
+            break
+        size = step_to_try(control, t, h, stop)
+        # from b to the space of a, which is not needed any more
+        if control.order == 0:
+            good, iterations, change, where = implicit_step(system, b, a, work, island, t, size, control)
+            error = size * size * change / control.error
+        else:
+            good, speed, where = explicit_step(system, b, a, work, island, t, size, control.order)
+            iterations, error = control.order, 0.0
+        clocks.counts[island, 2] += iterations
+        if not good or not error < 2.0:
+            clocks.counts[island, 1] += 1
+            h = size * (max(0.25, 0.85 / math.sqrt(error)) if good else 0.5)
+            known_before, known_after = False, False
+            if control.order > 0 or not h > control.step_min:
+                clocks.status[island] = NO_SOLUTION if control.order == 0 else UNSTABLE
+                clocks.row[island] = where
+                break
+            continue
+        a, b = b, a
+        swapped = not swapped
+        before, after = after, before
+        known_before, known_after = known_after, False
+        t0, t = t, t + size
+        clocks.counts[island, 0] += 1
+        h = next_step(control, size, h, error)
+    if swapped:
+        swap_island(system, old, now, island)
+    clocks.begin[island], clocks.time[island], clocks.step[island] = t0, t, h
+
+
+@inlined
+def fraction(time, t0, t):
+    """Where a time lies in the step from t0 to t."""
+    return min(max((time - t0) / (t - t0), 0.0), 1.0) if t > t0 else 1.0
+
+
+@inlined
+def step_to_try(control, t, h, stop):
+    """Size of the next step: lands on multiples of a constant step, and on the end of the run without a sliver."""
+    if control.adaptive == 0:
+        target = control.step * (math.floor(t / control.step + 1e-6) + 1.0)
+        return min(min(h, target - t), stop - t) if target - t < 1.999 * h else min(h, 0.5 * (target - t))
+    left = stop - t
+    if left <= h:
+        return left
+    return 0.5 * left if left < 2.0 * h else h
+
+
+@inlined
+def next_step(control, size, h, error):
+    """Size to try after an accepted step."""
+    if control.adaptive == 0:
+        return min(control.step, 2.0 * max(size, h))
+    return min(control.step_max, size * min(1.6, max(0.4, 0.85 / math.sqrt(error + 1e-12))))
+
+
+@kernel
+def swap_island(system, old, now, island):
+    """Exchange the rows of an island between two states."""
+    lines, islands = system.lines, system.islands
+    for m in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
+        first, last = line_nodes(lines, islands.lines[m])
+        for i in range(first, last + 1):
+            swap_row(old, now, i)
+    for p in range(islands.point_ptr[island], islands.point_ptr[island + 1]):
+        swap_row(old, now, point_row(lines, islands.points[p]))
+
+
+@inlined
+def swap_row(x, y, i):
+    r, v, a, b = get(x.position, i), get(x.velocity, i), get(x.acceleration, i), get(x.auxiliary, i)
+    put(x.position, i, get(y.position, i))
+    put(x.velocity, i, get(y.velocity, i))
+    put(x.acceleration, i, get(y.acceleration, i))
+    put(x.auxiliary, i, get(y.auxiliary, i))
+    put(y.position, i, r)
+    put(y.velocity, i, v)
+    put(y.acceleration, i, a)
+    put(y.auxiliary, i, b)

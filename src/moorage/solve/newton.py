@@ -1,0 +1,114 @@
+"""One exact Newton increment of an island: assemble its lines, condense, solve the junctions, substitute back."""
+
+from __future__ import annotations
+
+import math
+
+from moorage._jit import inlined, kernel
+from moorage._vec3 import accumulate, add, dot, get, put, scale
+from moorage.layout import line_nodes, point_row
+from moorage.physics.point import point_terms
+from moorage.solve.junction import solve_junctions
+from moorage.solve.line_solve import back_substitute, reduce_line
+from moorage.system.assemble import assemble_line
+from moorage.system.attach import copy_free_ends
+
+
+@kernel
+def assemble_island(system, state, before, work, island, c):
+    """Set the out-of-balance force and the blocks of all lines of an island."""
+    islands = system.islands
+    for k in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
+        assemble_line(system, state, before, work, islands.lines[k], c)
+
+
+@kernel
+def solve_island(system, state, work, island, c):
+    """Solve S x = force for an island; prescribed ends do not move. Overwrites force and blocks."""
+    lines, islands = system.lines, system.islands
+    l0, l1 = islands.line_ptr[island], islands.line_ptr[island + 1]
+    for k in range(l0, l1):
+        line = islands.lines[k]
+        first, last = line_nodes(lines, line)
+        put(work.increment, first, (0.0, 0.0, 0.0))
+        put(work.increment, last, (0.0, 0.0, 0.0))
+        reduce_line(lines, work, line, lines.end_unknown[line, 0] >= 0)
+    if islands.point_ptr[island + 1] > islands.point_ptr[island]:
+        solve_junctions(system, state, work, island, c)
+        copy_free_ends(lines, islands, island, work.increment)
+    for k in range(l0, l1):
+        line = islands.lines[k]
+        back_substitute(lines, work, line, lines.end_unknown[line, 0] >= 0)
+
+
+@kernel
+def largest_imbalance(system, state, work, island, c):
+    """Largest force on an interior node or a free point of an assembled island, N, and its row; NaN counts as infinite.
+
+    Also returns the sum of the squared forces.
+    """
+    lines, islands = system.lines, system.islands
+    p0, p1 = islands.point_ptr[island], islands.point_ptr[island + 1]
+    for p in range(p0, p1):
+        point = islands.points[p]
+        row = point_row(lines, point)
+        r, v, a = get(state.position, row), get(state.velocity, row), get(state.acceleration, row)
+        put(work.force, row, point_terms(system.points, system.current, point, r, v, a, c)[0])
+    worst, where, total = 0.0, -1, 0.0
+    for k in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
+        line = islands.lines[k]
+        first, last = line_nodes(lines, line)
+        for end in range(2):
+            if lines.end_unknown[line, end] >= 0:
+                row = point_row(lines, lines.end_point[line, end])
+                accumulate(work.force, row, get(work.force, first if end == 0 else last))
+        for i in range(first + 1, last):
+            size = dot(get(work.force, i), get(work.force, i))
+            total += size
+            if not size <= worst:
+                worst, where = size, i
+    for p in range(p0, p1):
+        row = point_row(lines, islands.points[p])
+        size = dot(get(work.force, row), get(work.force, row))
+        total += size
+        if not size <= worst:
+            worst, where = size, row
+    if not total < 1e300:
+        worst = 1e300
+    return math.sqrt(worst), where, total
+
+
+@kernel
+def shift(system, state, work, island, on_position, on_velocity, on_acceleration):
+    """Add multiples of the increment to an island's state.
+
+    Returns the size of the largest increment and its row; infinity when one is not a number.
+    """
+    lines, islands = system.lines, system.islands
+    largest, where, total = 0.0, -1, 0.0
+    for k in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
+        first, last = line_nodes(lines, islands.lines[k])
+        for i in range(first, last + 1):
+            size = shift_row(state, work, i, on_position, on_velocity, on_acceleration)
+            total += size
+            if not size <= largest:
+                largest, where = size, i
+    for p in range(islands.point_ptr[island], islands.point_ptr[island + 1]):
+        row = point_row(lines, islands.points[p])
+        size = shift_row(state, work, row, on_position, on_velocity, on_acceleration)
+        total += size
+        if not size <= largest:
+            largest, where = size, row
+    if not total < 1e300:
+        largest = 1e300
+    return math.sqrt(largest), where
+
+
+@inlined
+def shift_row(state, work, i, on_position, on_velocity, on_acceleration):
+    """Shift one row; returns the squared size of its increment."""
+    x = get(work.increment, i)
+    put(state.position, i, add(get(state.position, i), scale(on_position, x)))
+    put(state.velocity, i, add(get(state.velocity, i), scale(on_velocity, x)))
+    put(state.acceleration, i, add(get(state.acceleration, i), scale(on_acceleration, x)))
+    return dot(x, x)

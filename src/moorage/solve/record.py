@@ -1,0 +1,230 @@
+"""What a run writes down: end forces, tensions, grounded length, points, nodes, at output times between step ends.
+
+Tensions and forces are evaluated at step ends, where the equations hold, and interpolated linearly: computed from
+interpolated positions they would be wrong, because EA is huge. Positions are interpolated by cubic Hermite polynomials.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from moorage._jit import inlined, kernel
+from moorage._vec3 import add, get, put, scale, sub
+from moorage.layout import Weights, line_nodes, point_row
+from moorage.physics.morison import wet_node, wet_part
+from moorage.physics.tension import segment_tension, tension_terms
+from moorage.physics.weight import wet_shares
+from moorage.system.assemble import SURFACE, node_terms, unit_or_zero
+
+# columns of Record.lines
+FORCE_A, FORCE_B, LOAD_A, LOAD_B, TENSION_A, TENSION_B, LOWEST, GROUNDED, COLUMNS = 0, 3, 6, 9, 12, 13, 14, 15, 16
+# columns of Record.watch
+POSITION, VELOCITY, FORCE, TENSION, WATCH_COLUMNS = 0, 3, 6, 9, 10
+
+
+class Record(NamedTuple):
+    """Output buffers of one block of times."""
+
+    time: np.ndarray  # (n,) s
+    lines: np.ndarray  # (n, lines, COLUMNS)
+    points: np.ndarray  # (n, points, 9) position, velocity, acceleration of free points
+    watched: np.ndarray  # (watched, 2) line, node
+    watch: np.ndarray  # (n, watched, WATCH_COLUMNS)
+    node_time: np.ndarray  # (m,) s
+    node_position: np.ndarray  # (m, nodes, 3)
+    node_velocity: np.ndarray  # (m, nodes, 3)
+    segment_tension: np.ndarray  # (m, segments)
+    samples: np.ndarray  # (2, lines, COLUMNS) scratch: at the ends of a step
+
+
+def new_record(system, time, node_time, watched) -> Record:
+    """Return empty buffers for output times (n,) and times of node histories (m,)."""
+    nodes, lines = int(system.lines.node_ptr[-1]), len(system.lines.bends)
+    n, m, points = len(time), len(node_time), len(system.points.mass)
+    return Record(
+        time,
+        np.zeros((n, lines, COLUMNS)),
+        np.zeros((n, points, 9)),
+        watched,
+        np.zeros((n, len(watched), WATCH_COLUMNS)),
+        node_time,
+        np.zeros((m, nodes, 3)),
+        np.zeros((m, nodes, 3)),
+        np.zeros((m, nodes - lines)),
+        np.zeros((2, lines, COLUMNS)),
+    )
+
+
+@inlined
+def spans(state, i):
+    """Vector from row i to the next and its rate of change."""
+    e = sub(get(state.position, i + 1), get(state.position, i))
+    return e, sub(get(state.velocity, i + 1), get(state.velocity, i))
+
+
+@inlined
+def node_force(system, state, line, i, a):
+    """Force of all terms on node i of a line whose acceleration is taken to be `a`, N (bending left out)."""
+    first, last = line_nodes(system.lines, line)
+    r, v = get(state.position, i), get(state.velocity, i)
+    c = Weights(0.0, 0.0, 0.0)
+    height = r[2] - SURFACE
+    e0, e1, pull, lift, share0, share1 = (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), 0.0, 0.5, 0.5
+    j = np.uintp(max(i - 1 - line, first - line))
+    j0, j1 = j, j
+    if i > first:
+        e0, de = spans(state, i - 1)
+        pull = scale(-1.0, tension_terms(system.tension, j0, e0, de, c)[0])
+        share0 = wet_shares(system.weight.radius[j0], height - e0[2], height)[1]
+        lift += share0 * system.weight.buoyancy[j0]
+    if i < last:
+        j1 = np.uintp(i - line)
+        e1, de = spans(state, i)
+        pull = add(pull, tension_terms(system.tension, j1, e1, de, c)[0])
+        share1 = wet_shares(system.weight.radius[j1], height, height + e1[2])[0]
+        lift += share1 * system.weight.buoyancy[j1]
+    n = np.uintp(i)
+    hydro = wet_node(system.morison, n) if share0 + share1 == 1.0 else wet_part(system.morison, n, j0, share0, j1, share1)
+    q = unit_or_zero(add(e0, e1))
+    force = add(pull, node_terms(system, n, hydro, q, r, v, a, r[2], c)[0])
+    return force[0], force[1], force[2] + lift
+
+
+@kernel
+def sample_island(system, state, island, sample):
+    """Evaluate the columns of all lines of an island at one state."""
+    islands = system.islands
+    for m in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
+        line = islands.lines[m]
+        first, last = line_nodes(system.lines, line)
+        a_first, a_last = get(state.acceleration, first), get(state.acceleration, last)
+        rest = (0.0, 0.0, 0.0)
+        put_row(sample, line, FORCE_A, node_force(system, state, line, first, a_first))
+        put_row(sample, line, FORCE_B, node_force(system, state, line, last, a_last))
+        put_row(sample, line, LOAD_A, node_force(system, state, line, first, rest))
+        put_row(sample, line, LOAD_B, node_force(system, state, line, last, rest))
+        lowest, grounded, tension = 1e300, 0.0, 0.0
+        below = depth_at(system, state, first)
+        for i in range(first, last):
+            j = np.uintp(i - line)
+            e, de = spans(state, i)
+            tension = segment_tension(system.tension, j, e, de)
+            if i == first:
+                sample[line, TENSION_A] = tension
+            lowest = min(lowest, tension)
+            below_next = depth_at(system, state, i + 1)
+            grounded += system.tension.length[j] * grounded_part(below, below_next)
+            below = below_next
+        sample[line, TENSION_B], sample[line, LOWEST], sample[line, GROUNDED] = tension, lowest, grounded
+
+
+@inlined
+def put_row(sample, line, column, u):
+    sample[line, column], sample[line, column + 1], sample[line, column + 2] = u
+
+
+@inlined
+def depth_at(system, state, i):
+    """Depth of a node below the bed, m; a node that just touches counts as on it."""
+    return system.seabed.level + 1e-6 - state.position[i, 2]
+
+
+@inlined
+def grounded_part(below0, below1):
+    """Fraction of a segment on the bed, from the depths of its nodes below the bed."""
+    if below0 >= 0.0 and below1 >= 0.0:
+        return 1.0
+    if below0 < 0.0 and below1 < 0.0:
+        return 0.0
+    # the line leaves the bed between the nodes: the contact of the node on the bed reaches half a segment
+    return 0.5
+
+
+@inlined
+def hermite(r0, v0, r1, v1, h, s):
+    """Position at the fraction s of a step of length h."""
+    s2, s3 = s * s, s * s * s
+    a, b = 2.0 * s3 - 3.0 * s2 + 1.0, h * (s3 - 2.0 * s2 + s)
+    c, d = 3.0 * s2 - 2.0 * s3, h * (s3 - s2)
+    return add(add(scale(a, r0), scale(b, v0)), add(scale(c, r1), scale(d, v1)))
+
+
+@inlined
+def mix(s, u, v):
+    return add(scale(1.0 - s, u), scale(s, v))
+
+
+@kernel
+def record_lines(system, old, now, island, before, after, h, s, record, row):
+    """Write the output of one time, at the fraction s of the step from `old` to `now` of length h."""
+    lines, islands = system.lines, system.islands
+    for m in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
+        line = islands.lines[m]
+        for x in range(COLUMNS):
+            record.lines[row, line, x] = before[line, x] + s * (after[line, x] - before[line, x])
+    for p in range(islands.point_ptr[island], islands.point_ptr[island + 1]):
+        point = islands.points[p]
+        i = point_row(lines, point)
+        v0, v1 = get(old.velocity, i), get(now.velocity, i)
+        r = hermite(get(old.position, i), v0, get(now.position, i), v1, h, s)
+        v, a = mix(s, v0, v1), mix(s, get(old.acceleration, i), get(now.acceleration, i))
+        for x in range(3):
+            record.points[row, point, x] = r[x]
+            record.points[row, point, 3 + x] = v[x]
+            record.points[row, point, 6 + x] = a[x]
+
+
+@kernel
+def record_watched(system, old, now, island_of_line, island, h, s, record, row):
+    """Write the watched nodes of an island."""
+    rest = (0.0, 0.0, 0.0)
+    for w in range(len(record.watched)):
+        line = record.watched[w, 0]
+        if island_of_line[line] != island:
+            continue
+        first, last = line_nodes(system.lines, line)
+        i = first + record.watched[w, 1]
+        v0, v1 = get(old.velocity, i), get(now.velocity, i)
+        r = hermite(get(old.position, i), v0, get(now.position, i), v1, h, s)
+        v = mix(s, v0, v1)
+        f = mix(s, node_force(system, old, line, i, rest), node_force(system, now, line, i, rest))
+        t = (1.0 - s) * node_tension(system, old, line, i) + s * node_tension(system, now, line, i)
+        for x in range(3):
+            record.watch[row, w, POSITION + x] = r[x]
+            record.watch[row, w, VELOCITY + x] = v[x]
+            record.watch[row, w, FORCE + x] = f[x]
+        record.watch[row, w, TENSION] = t
+
+
+@inlined
+def node_tension(system, state, line, i):
+    """Mean tension of the segments at a node, N."""
+    first, last = line_nodes(system.lines, line)
+    total, count = 0.0, 0
+    for k in range(max(i - 1, first), min(i + 1, last)):
+        e, de = spans(state, k)
+        total += segment_tension(system.tension, np.uintp(k - line), e, de)
+        count += 1
+    return total / count
+
+
+@kernel
+def record_nodes(system, old, now, island, h, s, record, row):
+    """Write the node histories of an island at one time."""
+    islands = system.islands
+    for m in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
+        line = islands.lines[m]
+        first, last = line_nodes(system.lines, line)
+        for i in range(first, last + 1):
+            v0, v1 = get(old.velocity, i), get(now.velocity, i)
+            r = hermite(get(old.position, i), v0, get(now.position, i), v1, h, s)
+            put(record.node_position[row], i, r)
+            put(record.node_velocity[row], i, mix(s, v0, v1))
+            if i < last:
+                j = np.uintp(i - line)
+                e, de = spans(old, i)
+                t0 = segment_tension(system.tension, j, e, de)
+                e, de = spans(now, i)
+                record.segment_tension[row, i - line] = (1.0 - s) * t0 + s * segment_tension(system.tension, j, e, de)

@@ -1,0 +1,93 @@
+"""Static equilibrium of a whole system, with a verdict in newtons."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from moorage.errors import ConvergenceError
+from moorage.layout import copy_of
+from moorage.solve.places import place_name
+from moorage.solve.statics_kernel import place_at_rest, relax_island
+from moorage.system.build import Built
+
+ITERATIONS = 2000
+
+
+class Equilibrium(NamedTuple):
+    """Verdict of a static solution."""
+
+    residual: float  # largest out-of-balance force on a node or free point, N
+    where: str  # and where that is
+    iterations: int  # Newton iterations of all islands
+    damped: int  # those of them that needed pseudo-transient continuation
+    tolerance: float  # N
+
+
+def natural_tolerance(built: Built) -> float:
+    """Return the imbalance (N) that counts as none: 1e-7 of the largest node weight or submerged weight, at least 1 mN.
+
+    What EA times the rounding of a coordinate gives (EA / l * 1e-16 * size) is added, for less cannot be reached.
+    """
+    system = built.system
+    weights = np.abs(system.weight.dry).max(initial=0.0) + np.abs(system.weight.buoyancy).max(initial=0.0)
+    size = np.abs(built.state.position).max(initial=1.0)
+    rounding = 16.0 * np.finfo(float).eps * size * system.tension.spring.max(initial=0.0)
+    return float(max(1e-3, 1e-7 * weights) + rounding)
+
+
+def solve(built: Built, tolerance: float | None = None) -> Equilibrium:
+    """Put a built system into static equilibrium, in place.
+
+    Parameters
+    ----------
+    built : Built
+        Its state holds the first guess, and then the equilibrium (velocities zero).
+    tolerance : float, optional
+        Largest accepted imbalance, N; see `natural_tolerance`.
+
+    Raises
+    ------
+    ConvergenceError
+        No equilibrium within the iterations; the state is left as it was.
+    """
+    accepted = natural_tolerance(built) if tolerance is None else tolerance
+    begin = copy_of(built.state)
+    islands = built.system.islands
+    worst, where, used, damped = 0.0, -1, 0, 0
+    for island in range(len(islands.line_ptr) - 1):
+        force, row, n, d = relax_island(
+            built.system, built.state, built.work, island, _reach(built, island), accepted, ITERATIONS
+        )
+        used, damped = used + n, damped + d
+        if not force <= worst:
+            worst, where = force, row
+    if not worst < max(accepted, 1e-300):
+        place = place_name(built, where)
+        for target, source in zip(built.state, begin, strict=True):
+            target[...] = source
+        raise ConvergenceError(
+            f"statics did not converge: the largest out-of-balance force is {worst:.3g} N at {place} after {used} "
+            f"iterations (accepted: {accepted:.3g} N).\n    -> Check that the line there can hang in the given place "
+            "(length against distance, weight against buoyancy), or start as given (--start as-given) and let the "
+            "run settle",
+            worst,
+        )
+    return Equilibrium(worst, place_name(built, where), used, damped, accepted)
+
+
+def rest(built: Built) -> None:
+    """Attach all line ends at time 0 with everything at rest, without looking for equilibrium."""
+    for island in range(len(built.system.islands.line_ptr) - 1):
+        place_at_rest(built.system, built.state, island)
+
+
+def _reach(built: Built, island: int) -> float:
+    """Longest increment of a position, m: where bending is stiff, a fifth of the shortest segment."""
+    islands, names = built.system.islands, built.names
+    lines = islands.lines[islands.line_ptr[island] : islands.line_ptr[island + 1]]
+    shortest = min(
+        (built.names.segment_length[names.segment_ptr[k] : names.segment_ptr[k + 1]].min() for k in lines), default=10.0
+    )
+    return 0.2 * shortest if built.system.lines.bends[lines].any() else shortest

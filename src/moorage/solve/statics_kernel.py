@@ -1,0 +1,83 @@
+"""Static equilibrium of an island with the same tangent: Newton with a line search, and pseudo-transient continuation."""
+
+from __future__ import annotations
+
+from moorage._jit import kernel
+from moorage._vec3 import put
+from moorage.layout import Weights, line_nodes, point_row
+from moorage.solve.newton import assemble_island, largest_imbalance, shift, solve_island
+from moorage.system.attach import attach
+
+
+@kernel
+def stop_island(system, state, island):
+    """Set velocities and accelerations of an island to zero."""
+    lines, islands = system.lines, system.islands
+    zero = (0.0, 0.0, 0.0)
+    for m in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
+        first, last = line_nodes(lines, islands.lines[m])
+        for i in range(first, last + 1):
+            put(state.velocity, i, zero)
+            put(state.acceleration, i, zero)
+            put(state.auxiliary, i, zero)
+    for p in range(islands.point_ptr[island], islands.point_ptr[island + 1]):
+        row = point_row(lines, islands.points[p])
+        put(state.velocity, row, zero)
+        put(state.acceleration, row, zero)
+        put(state.auxiliary, row, zero)
+
+
+@kernel
+def place_at_rest(system, state, island):
+    """Attach an island's line ends at time 0, at rest."""
+    stop_island(system, state, island)
+    attach(system, state, island, 0.0)
+    stop_island(system, state, island)
+
+
+@kernel
+def relax_island(system, state, work, island, reach, tolerance, iterations):
+    """Find equilibrium. Returns (largest imbalance in N, its row, iterations, iterations damped by pseudo time).
+
+    Plain Newton increments are tried first, shortened by a line search on the norm of the imbalance. Where they do not
+    make it fall, S = M / tau^2 + K: a pseudo time tau that starts small, so that increments are damped, and grows while
+    the imbalance falls. Increments never exceed `reach` (m), for then the tangent may be indefinite (bending, contact);
+    tau shrinks whenever that happens.
+    """
+    place_at_rest(system, state, island)
+    tau, before, damped = 1e3, 1e300, 0
+    force, row = 1e300, -1
+    for iteration in range(iterations):
+        c = Weights(1.0 / (tau * tau), 0.0, 1.0)
+        assemble_island(system, state, state.position, work, island, c)
+        force, row, total = largest_imbalance(system, state, work, island, c)
+        if force < tolerance or not force < 1e299:
+            return force, row, iteration, damped
+        assemble_island(system, state, state.position, work, island, c)
+        solve_island(system, state, work, island, c)
+        longest, _ = shift(system, state, work, island, 0.0, 0.0, 0.0)
+        if not longest < 1e100:
+            tau = max(1e-3, 0.1 * tau)
+            damped += 1
+            continue
+        step = min(1.0, reach / (longest + 1e-300))
+        shift(system, state, work, island, step, 0.0, 0.0)
+        if tau >= 1e3:
+            # line search: a Newton increment of full length must make the imbalance fall, or pseudo time takes over
+            taken, halvings = step, 0
+            while halvings < 4:
+                assemble_island(system, state, state.position, work, island, c)
+                _, _, trial = largest_imbalance(system, state, work, island, c)
+                if trial < total:
+                    break
+                shift(system, state, work, island, -0.5 * taken, 0.0, 0.0)
+                taken *= 0.5
+                halvings += 1
+            if halvings == 4:
+                tau = 0.5
+        else:
+            growth = 0.5 if step < 1.0 else min(3.0, max(0.3, 1.3 * before / force))
+            tau = min(1e3, max(1e-3, tau * growth))
+            damped += 1
+        before = force
+    return force, row, iterations, damped

@@ -1,0 +1,114 @@
+"""Out-of-balance force and Newton matrix of a line, from the terms of its nodes, segments and bends.
+
+What the matrix leaves out, to stay symmetric: how the *direction* of inertia, drag and damping turns with the position,
+and how added mass and drag change as a node crosses the surface. All else is exact.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from moorage._jit import inlined, kernel
+from moorage._vec3 import (
+    accumulate, add, dot, get, mat_accumulate, mat_put, mat_scale, put, scale, sub, sym_accumulate, sym_add, sym_put,
+    sym_scale, sym_to_general,
+)  # fmt: skip
+from moorage.layout import line_nodes
+from moorage.physics.bending import bending_terms, node_blocks
+from moorage.physics.current import current_at
+from moorage.physics.morison import drag_terms, inertia_terms, wet_node, wet_part
+from moorage.physics.seabed import seabed_terms
+from moorage.physics.tension import tension_terms
+from moorage.physics.weight import wet_shares
+
+ZERO3 = (0.0, 0.0, 0.0)
+ZERO6 = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+SURFACE = 0.0  # z of the still water
+
+
+@kernel
+def assemble_line(system, state, before, work, line, c):
+    """Set force and blocks of all nodes of a line; c: the weights of mass, damping and stiffness in the matrix.
+
+    Walks from end A to end B; what the segment before a node gave it is carried along. `before` holds the positions at
+    the start of the step, (rows, 3).
+    """
+    first, last = line_nodes(system.lines, line)
+    e_before, pull_before, block_before = ZERO3, ZERO3, ZERO6
+    share_before, lift_before, sink_before = 0.5, 0.0, 0.0  # wet share, its buoyancy, and minus that one's slope in z
+    j_before = np.uintp(first - line)
+    for i in range(first, last + 1):
+        n, j = np.uintp(i), j_before
+        r, v = get(state.position, i), get(state.velocity, i)
+        e, pull, block = ZERO3, ZERO3, ZERO6
+        share, share_far, d00, d01, d11, buoyancy = 0.5, 0.5, 0.0, 0.0, 0.0, 0.0
+        if i < last:
+            j = np.uintp(i - line)
+            e, de = sub(get(state.position, i + 1), r), sub(get(state.velocity, i + 1), v)
+            pull, block = tension_terms(system.tension, j, e, de, c)
+            height = r[2] - SURFACE
+            share, share_far, d00, d01, d11 = wet_shares(system.weight.radius[j], height, height + e[2])
+            buoyancy = system.weight.buoyancy[j]
+        if share_before + share == 1.0:
+            hydro = wet_node(system.morison, n)
+        else:
+            hydro = wet_part(system.morison, n, j_before, share_before, j, share)
+        q = unit_or_zero(add(e_before, e))
+        force, own = node_terms(system, n, hydro, q, r, v, get(state.acceleration, i), before[n, 2], c)
+        force = force[0], force[1], force[2] + lift_before + share * buoyancy
+        put(work.force, i, add(force, sub(pull, pull_before)))
+        sink = c.stiffness * buoyancy
+        sym_put(work.blocks.own, i, add_zz(sym_add(own, sym_add(block, block_before)), -sink_before - sink * d00))
+        mat_put(work.blocks.next, i, sym_to_general(add_zz(sym_scale(-1.0, block), -sink * d01)))
+        e_before, pull_before, block_before, j_before = e, pull, block, j
+        share_before, lift_before, sink_before = share_far, share_far * buoyancy, sink * d11
+    if system.lines.bends[line]:
+        add_bending(system.bending, state, work, first, last, c)
+
+
+@inlined
+def unit_or_zero(u):
+    """Direction of a vector; zero where a line folds back on itself."""
+    return scale(1.0 / math.sqrt(max(dot(u, u), 1e-300)), u)
+
+
+@inlined
+def add_zz(s, x):
+    """Add to the zz entry of a symmetric block."""
+    return s[0], s[1], s[2], s[3], s[4], s[5] + x
+
+
+@inlined
+def node_terms(system, i, hydro, q, r, v, a, z_before, c):
+    """Force and own block of inertia, drag, seabed and dry weight at a node; q: tangent of the line."""
+    added_normal, added_axial, drag_normal, drag_axial = hydro
+    mass = system.morison.mass[i]
+    inertia, inertia_block = inertia_terms(mass + added_normal, mass + added_axial, q, a, c)
+    u = sub(v, current_at(system.current, r[2]))
+    drag, drag_block = drag_terms(drag_normal, drag_axial, q, u, c)
+    bed, bed_block = seabed_terms(system.seabed, i, r[2], z_before, v[2], c)
+    force = add(inertia, drag)
+    vertical = system.weight.dry[i] + bed
+    return (force[0], force[1], force[2] + vertical), add_zz(sym_add(inertia_block, drag_block), bed_block)
+
+
+@kernel
+def add_bending(p, state, work, first, last, c):
+    """Add the bend at every interior node: to the node, its two neighbours and their couplings."""
+    force, own, next, skip = work.force, work.blocks.own, work.blocks.next, work.blocks.skip
+    for i in range(first + 1, last):
+        r = get(state.position, i)
+        e1, e2 = sub(r, get(state.position, i - 1)), sub(get(state.position, i + 1), r)
+        d1, d2, H11, H22, H12 = bending_terms(p, np.uintp(i), e1, e2, c.stiffness)
+        middle, before, after, H21 = node_blocks(H11, H22, H12)
+        accumulate(force, i - 1, d1)
+        accumulate(force, i, sub(d2, d1))
+        accumulate(force, i + 1, scale(-1.0, d2))
+        sym_accumulate(own, i - 1, H11)
+        sym_accumulate(own, i, middle)
+        sym_accumulate(own, i + 1, H22)
+        mat_accumulate(next, i - 1, before)
+        mat_accumulate(next, i, after)
+        mat_put(skip, i - 1, mat_scale(-1.0, H21))

@@ -1,0 +1,46 @@
+"""Line ends: they copy the free point that they hold on to, or follow the prescribed motion of their point."""
+
+from __future__ import annotations
+
+from moorage._jit import inlined, kernel
+from moorage._vec3 import get, put
+from moorage.layout import line_nodes, point_row
+from moorage.physics.motion import follow
+
+
+@kernel
+def place_prescribed_ends(system, state, island, t):
+    """Put the line ends on prescribed points where these are at time t."""
+    lines, islands = system.lines, system.islands
+    for k in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
+        line = islands.lines[k]
+        first, last = line_nodes(lines, line)
+        for end in range(2):
+            if lines.end_unknown[line, end] < 0:
+                row = first if end == 0 else last
+                r, v, a = follow(system.tracks, lines.end_point[line, end], t)
+                put(state.position, row, r)
+                put(state.velocity, row, v)
+                put(state.acceleration, row, a)
+
+
+@kernel
+def copy_free_ends(lines, islands, island, values):
+    """Copy rows of free points into the line ends on them."""
+    for k in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
+        line = islands.lines[k]
+        first, last = line_nodes(lines, line)
+        if lines.end_unknown[line, 0] >= 0:
+            put(values, first, get(values, point_row(lines, lines.end_point[line, 0])))
+        if lines.end_unknown[line, 1] >= 0:
+            put(values, last, get(values, point_row(lines, lines.end_point[line, 1])))
+
+
+@inlined
+def attach(system, state, island, t):
+    """Give all line ends of an island the motion of their points at time t."""
+    place_prescribed_ends(system, state, island, t)
+    if system.islands.point_ptr[island + 1] > system.islands.point_ptr[island]:
+        copy_free_ends(system.lines, system.islands, island, state.position)
+        copy_free_ends(system.lines, system.islands, island, state.velocity)
+        copy_free_ends(system.lines, system.islands, island, state.acceleration)

@@ -1,0 +1,48 @@
+"""The first shape of every line: an elastic catenary between its ends, or a straight line where there is none."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from moorage.layout import State, System
+from moorage.model import Model
+from moorage.physics.catenary import catenary
+from moorage.physics.motion import sample_track
+
+TOUCHES = 1e-5  # relative depth at which an end counts as on the seabed
+
+
+def place_guess(model: Model, system: System, state: State, length, weight) -> None:
+    """Set positions of all rows: points at time 0, lines on catenaries; everything at rest.
+
+    A line of several sections takes the mean of its weight; Newton's method does the rest. `length` (m) and `weight`
+    (N/m) are those of the segments.
+    """
+    rows = system.lines.node_ptr
+    now, scratch = np.zeros((1, 3)), np.zeros((1, 3))
+    for k in range(len(model.points)):
+        sample_track(system.tracks, k, np.zeros(1), now, scratch, scratch.copy())
+        state.position[rows[-1] + k] = now[0]
+    for k in range(len(model.lines)):
+        a, b = (state.position[rows[-1] + end] for end in system.lines.end_point[k])
+        part = slice(rows[k] - k, rows[k + 1] - k - 1)
+        state.position[rows[k] : rows[k + 1]] = line_guess(
+            a, b, length[part], float(np.mean(system.tension.spring[part] * length[part])),
+            float(np.sum(weight[part] * length[part]) / np.sum(length[part])), system.seabed.level, model.flavour,
+        )  # fmt: skip
+
+
+def line_guess(a, b, length, stiffness, weight, bed, flavour) -> np.ndarray:
+    """Positions (nodes, 3) of a line from a to b (m)."""
+    arc = np.concatenate([[0.0], np.cumsum(length)])
+    chord = b - a
+    span = float(np.hypot(chord[0], chord[1]))
+    lowest = min(a[2], b[2])
+    # MoorDyn-F lets every line lie on a bed at the level of its lower end, MoorDyn-C only one that touches the bed
+    grounded = flavour == "MoorDyn-F" or lowest <= bed * (1.0 - TOUCHES)
+    shape = catenary(span, float(chord[2]), float(arc[-1]), stiffness, weight, arc, grounded)
+    if shape is None:
+        return a + np.outer(arc / arc[-1], chord)
+    x, z = shape
+    return np.column_stack([a[0] + x * chord[0] / span, a[1] + x * chord[1] / span, a[2] + z])
+
