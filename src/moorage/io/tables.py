@@ -1,4 +1,4 @@
-"""Tables that a model names: strain-tension and such curves, current profiles."""
+"""Tables in files that a model names: curves of two columns and current profiles."""
 
 from __future__ import annotations
 
@@ -6,30 +6,59 @@ from pathlib import Path
 
 from moorage.errors import ModelError, Source
 from moorage.io.text import Findings, is_number, read_text, rows
-from moorage.model import Curve
+from moorage.model import Current, Curve
 
 
-def read_curve(folder: Path, name: str, what: str, found: Findings, source: Source) -> Curve:
-    """Return the two columns of a table file, found relative to the model's folder.
+def read_columns(path: Path, what: str, widths: range, found: Findings, source: Source) -> list[tuple[float, ...]]:
+    """Return the rows of numbers of a table file, empty when something is wrong (which is noted).
 
-    Three header rows and then x and y, as MoorDyn; rows before the first pair of numbers count as header.
+    What stands before the first row of numbers is the header; blanks or commas separate the columns.
+
+    Parameters
+    ----------
+    widths : range
+        Numbers that a row may have.
+    source : Source
+        Where the file is named.
     """
-    nothing = Curve((), (), name)
-    path = folder / name
     try:
         text = read_text(path, f"table of {what}", source=source)
     except ModelError as error:
         found.extend(error.problems)
-        return nothing
-    pairs: list[tuple[float, float]] = []
+        return []
+    table: list[tuple[float, ...]] = []
     for row in rows(text, str(path)):
-        words = [word for word in " ".join(row.words).replace(",", " ").split()]
-        if len(words) >= 2 and is_number(words[0]) and is_number(words[1]) and len(words) == 2:
-            pairs.append((found.number(words[0], "x", row.source), found.number(words[1], "y", row.source)))
-        elif words and pairs:
-            found.add(f"row of the table of {what} is not two numbers", "write x and y", row.source, row.text.strip())
-            return nothing
-    if len(pairs) < 2:
-        found.add(f"table of {what} has {len(pairs)} rows", "give at least two rows of x and y", Source(str(path)))
-        return nothing
-    return Curve(tuple(x for x, _ in pairs), tuple(y for _, y in pairs), name)
+        words = " ".join(row.words).replace(",", " ").split()
+        if len(words) in widths and all(map(is_number, words)):
+            table.append(found.numbers(words, what, row.source))
+        elif words and table and not row.text.strip().startswith("---"):
+            expected = " or ".join(map(str, widths))
+            found.add(
+                f"row of the table of {what} is not {expected} numbers", "correct it", row.source, row.text.strip()
+            )
+            return []
+    if len(table) < 2:
+        found.add(f"table of {what} has {len(table)} rows of numbers", "give at least two rows", Source(str(path)))
+        return []
+    return table
+
+
+def read_curve(folder: Path, name: str, what: str, found: Findings, source: Source) -> Curve:
+    """Return the curve in a table file, found relative to the model's folder."""
+    table = read_columns(folder / name, what, range(2, 3), found, source)
+    return Curve(tuple(row[0] for row in table), tuple(row[1] for row in table), name)
+
+
+def read_current(path: Path, found: Findings, source: Source) -> Current:
+    """Return the steady profile in MoorDyn-C's current_profile.txt: z, u and, when given, v and w."""
+    return current_profile(read_columns(path, "current profile", range(2, 5), found, source), Source(str(path)))
+
+
+def current_profile(table: list[tuple[float, ...]], source: Source) -> Current:
+    """Return the profile of rows z, u, v, w (m, m/s), given upwards or downwards."""
+    if not table:
+        return Current()
+    if table[0][0] > table[-1][0]:
+        table = table[::-1]
+    velocity = [(*row[1:], 0.0, 0.0)[:3] for row in table]
+    return Current(tuple(row[0] for row in table), tuple((u, v, w) for u, v, w in velocity), source)

@@ -83,10 +83,14 @@ def to_float(word: str) -> float:
 
 
 class Findings:
-    """The problems found while a file is read, and the conversions that find them."""
+    """The problems found while a file is read, and the conversions that find them.
+
+    `lost_rows` says that something could not be read at all, so that what refers to it is not to be blamed.
+    """
 
     def __init__(self) -> None:
         self.problems: list[Problem] = []
+        self.lost_rows = False
 
     def add(self, message: str, remedy: str, source: Source | None, value: object = None) -> None:
         """Note one problem."""

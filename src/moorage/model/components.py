@@ -59,7 +59,10 @@ class LineType:
     minimum_bend_radius : float or None
         Allowed bend radius, m.
     viscoelastic : tuple of float
-        Dynamic stiffness values of MoorDyn's viscoelastic models, empty for an elastic line.
+        Dynamic stiffness of MoorDyn's viscoelastic models, empty for an elastic line: EA_d (N), or EA_d = c + m T_mean
+        as (c in N, m).
+    dynamic_damping : float
+        Damping in series with the dynamic stiffness, N s.
     syrope : str
         Name of the Syrope working-curve file, empty for none.
     """
@@ -81,6 +84,7 @@ class LineType:
     viv_centre: float = 0.18
     minimum_bend_radius: float | None = None
     viscoelastic: tuple[float, ...] = ()
+    dynamic_damping: float = 0.0
     syrope: str = ""
     source: Source | None = _source()
 
@@ -125,7 +129,8 @@ class Attachment:
 class Line:
     """A line of one or more sections, listed from end A to end B.
 
-    `outputs` holds MoorDyn's letters of the LineOutputs column ("" for none).
+    `outputs` holds MoorDyn's letters of the LineOutputs column ("" for none), `syrope_tensions` the highest and the
+    present mean tension (N) that a Syrope line starts from.
     """
 
     id: int
@@ -134,6 +139,7 @@ class Line:
     end_b: Attachment
     name: str = ""
     outputs: str = ""
+    syrope_tensions: tuple[float, float] | None = None
     source: Source | None = _source()
 
     @property
@@ -190,7 +196,11 @@ class Point:
 
 @dataclass(frozen=True, kw_only=True)
 class Rod:
-    """A rigid cylinder from end A to end B (m); a zero-length one is a clamp that points from A towards B."""
+    """A rigid cylinder from end A to end B (m), of `segments` segments.
+
+    With 0 segments it has no length: a clamp at end A that points towards `end_b`. MoorDyn's pages call those columns a
+    direction, its sources (Body::addRod in C, Rod_Setup in F) take the difference of coordinates; so do we.
+    """
 
     id: int
     rod_type: str

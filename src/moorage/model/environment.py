@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from dataclasses import dataclass, field
 
 from moorage.errors import Source
@@ -14,7 +15,26 @@ class Bathymetry:
     x: tuple[float, ...]
     y: tuple[float, ...]
     depth: tuple[tuple[float, ...], ...]
+    file: str = field(default="", compare=False)
     source: Source | None = field(default=None, compare=False, repr=False)
+
+    def depth_at(self, x: float, y: float) -> float:
+        """Return the depth (m) at a place: bilinear between the grid's points, the nearest edge outside."""
+        i, u = _bracket(self.x, x)
+        j, v = _bracket(self.y, y)
+        d = self.depth
+        low = d[i][j] + u * (d[min(i + 1, len(d) - 1)][j] - d[i][j])
+        j1 = min(j + 1, len(self.y) - 1)
+        high = d[i][j1] + u * (d[min(i + 1, len(d) - 1)][j1] - d[i][j1])
+        return low + v * (high - low)
+
+
+def _bracket(levels: tuple[float, ...], value: float) -> tuple[int, float]:
+    """Return the interval of increasing levels that holds a value, and the place in it (0 to 1)."""
+    k = max(0, min(bisect_right(levels, value) - 1, len(levels) - 2))
+    if len(levels) == 1:
+        return 0, 0.0
+    return k, min(1.0, max(0.0, (value - levels[k]) / (levels[k + 1] - levels[k])))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -43,10 +63,11 @@ class Current:
 
 @dataclass(frozen=True, kw_only=True)
 class Waves:
-    """A sea that was asked for: the option's name as read and its value."""
+    """A sea or an unsteady current that was asked for: the option as read, its value, and the options beside it."""
 
     option: str
     value: str
+    settings: tuple[tuple[str, str], ...] = ()
     source: Source | None = field(default=None, compare=False, repr=False)
 
 
@@ -75,3 +96,7 @@ class Environment:
     bathymetry: Bathymetry | None = None
     current: Current = Current()
     waves: Waves | None = None
+
+    def depth_at(self, x: float, y: float) -> float:
+        """Return the water depth (m) at a place."""
+        return self.bathymetry.depth_at(x, y) if self.bathymetry else self.water_depth

@@ -72,6 +72,7 @@ def _column(columns: tuple[Column, ...], key: str) -> Column:
 
 
 def _wrong_count(table: Table, keys: list[str], row: Row, found: Findings) -> None:
+    found.lost_rows = True
     names = " ".join(table.header.words) if table.header else ""
     found.add(
         f"row of {table.name.upper()} has {len(row.words)} values for {len(keys)} columns",
@@ -98,6 +99,7 @@ def _match(table: Table, columns: tuple[Column, ...], found: Findings) -> list[s
         _by_position(keys, names, unknown, missing, columns)
         missing = [column for column in missing if column.key not in keys]
     if missing:
+        found.lost_rows = True
         found.add(
             f"column {', '.join(c.key for c in missing)} of {table.name.upper()} is missing",
             f"name the columns {' '.join(c.key for c in columns if not c.optional)}",
@@ -144,7 +146,7 @@ def _report(table: Table, keys: list[str], columns: tuple[Column, ...]) -> None:
     if named != standard or (stray and keys[: len(standard)] != standard):
         warnings.warn(
             f"{table.header.source}: columns of {table.name.upper()} are read by their names "
-            f"({' '.join(table.header.words)}); MoorDyn v2 reads {' '.join(standard)} by position and takes other values",
+            f"({' '.join(table.header.words)}); MoorDyn v2 reads {' '.join(standard)} by position",
             ModelWarning,
             stacklevel=2,
         )

@@ -2,45 +2,72 @@
 
 from __future__ import annotations
 
-import dataclasses
 import warnings
 from pathlib import Path
 
 from moorage.errors import ModelWarning, Source
+from moorage.io.bathymetry import read_bathymetry
 from moorage.io.moordyn.options import Value
+from moorage.io.moordyn.water import read_water
 from moorage.io.text import Findings, is_number, to_float
-from moorage.model import Environment, Friction, Point
+from moorage.model import Bathymetry, Environment, Friction, Point
 
 Values = dict[str, Value]
+_NUMBERS = {"gravity": "g", "water_density": "rho", "seabed_stiffness": "kBot", "seabed_damping": "cBot"}
 
 
 def read_environment(
     values: Values, points: list[Point], folder: Path, found: Findings, source: Source, defaults: Environment | None
 ) -> Environment:
     """Return the environment; `defaults` holds what a driver file says where the options are silent."""
-    given = {
-        field: _number(values, name)
-        for field, name in (
-            ("gravity", "g"),
-            ("water_density", "rho"),
-            ("seabed_stiffness", "kBot"),
-            ("seabed_damping", "cBot"),
-        )
-        if name in values
-    }
-    depth = _depth(values, points, found, source, defaults)
-    environment = dataclasses.replace(defaults or Environment(water_depth=depth), water_depth=depth, **given)
-    return dataclasses.replace(environment, friction=_friction(values))
+    bathymetry = _bathymetry(values, folder, found)
+    waves, current = read_water(values, folder, found)
+    base = defaults or Environment(water_depth=0.0)
+    numbers = {field: number(values, name, getattr(base, field)) for field, name in _NUMBERS.items()}
+    return Environment(
+        water_depth=_depth(values, points, bathymetry, found, source, defaults),
+        gravity=numbers["gravity"],
+        water_density=numbers["water_density"],
+        seabed_stiffness=numbers["seabed_stiffness"],
+        seabed_damping=numbers["seabed_damping"],
+        friction=_friction(values),
+        bathymetry=bathymetry,
+        current=current,
+        waves=waves,
+    )
 
 
-def _number(values: Values, name: str, default: float = 0.0) -> float:
+def number(values: Values, name: str, default: float) -> float:
+    """Return the number that an option has, or a default when it is not given."""
     word = values[name].word if name in values else ""
     return to_float(word) if is_number(word) else default
 
 
-def _depth(values: Values, points: list[Point], found: Findings, source: Source, defaults: Environment | None) -> float:
+def _bathymetry(values: Values, folder: Path, found: Findings) -> Bathymetry | None:
+    """Return the grid of C's SeafloorFile, or of F's WtrDpth when that is not a number."""
+    named = values.get("SeafloorFile")
+    if named is None and "WtrDpth" in values and not is_number(values["WtrDpth"].word):
+        named = values["WtrDpth"]
+        if named.word.lower() in ("nan", "inf", "-inf", "+inf"):
+            found.number(named.word, "water depth", named.source)
+            return None
+    return read_bathymetry(folder / named.word, found, named.source) if named else None
+
+
+def _depth(
+    values: Values,
+    points: list[Point],
+    bathymetry: Bathymetry | None,
+    found: Findings,
+    source: Source,
+    defaults: Environment | None,
+) -> float:
     if "WtrDpth" in values and is_number(values["WtrDpth"].word):
-        return _number(values, "WtrDpth")
+        return number(values, "WtrDpth", 0.0)
+    if bathymetry is not None:
+        return bathymetry.depth_at(0.0, 0.0)
+    if "WtrDpth" in values or "SeafloorFile" in values:
+        return float("nan")  # the file could not be read, which has been noted
     if defaults is not None:
         return defaults.water_depth
     lowest = min((p.position[2] for p in points if p.body is None and not p.on_seabed), default=0.0)
@@ -61,11 +88,11 @@ def _friction(values: Values) -> Friction | None:
     named = next((values[name] for name in names if name in values), None)
     if named is None:
         return None
-    both = _number(values, "FrictionCoefficient")
+    both = number(values, "FrictionCoefficient", 0.0)
     return Friction(
-        transverse=_number(values, "mu_kT", both),
-        axial=_number(values, "mu_kA", both),
-        static_ratio=_number(values, "StatDynFricScale", 1.0),
-        damping=_number(values, "FricDamp", 200.0),
+        transverse=number(values, "mu_kT", both),
+        axial=number(values, "mu_kA", both),
+        static_ratio=number(values, "StatDynFricScale", 1.0),
+        damping=number(values, "FricDamp", 200.0),
         source=named.source,
     )

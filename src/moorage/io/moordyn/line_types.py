@@ -63,7 +63,8 @@ def _line_type(record: Record, folder: Path, found: Findings) -> LineType:
         lift_coefficient=number("Cl"),
         viv_range=number("dF", 0.08),
         viv_centre=number("cF", 0.18),
-        viscoelastic=(*viscoelastic, *dynamic) if viscoelastic else (),
+        viscoelastic=viscoelastic,
+        dynamic_damping=sum(dynamic, 0.0),
         syrope=syrope,
         source=source,
     )
@@ -88,7 +89,10 @@ def _stiffness(
     if first.upper().startswith("SYROPE:"):
         if len(dynamic) != 2:
             found.add(f"{what} is incomplete", "write SYROPE:file|EA_Dc|EA_D_Lm", source, word)
-        return 0.0, values, first[len("SYROPE:") :]
+        file = first[len("SYROPE:") :]
+        if not (folder / file).is_file():
+            found.add(f"Syrope file of line type {name} not found", f"tried {folder / file}", source, file)
+        return 0.0, values, file
     return _value(first, what, folder, found, source), values, ""
 
 

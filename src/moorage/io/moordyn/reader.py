@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
+import dataclasses
 from pathlib import Path
 from typing import Literal
 
 from moorage.errors import Source
-from moorage.io.moordyn import line_types, lines, points
-from moorage.io.moordyn.environment import read_environment
-from moorage.io.moordyn.options import flavour, read_options, unused
+from moorage.io.moordyn import bodies, channels, events, line_types, lines, points, rods
+from moorage.io.moordyn.environment import number, read_environment
+from moorage.io.moordyn.options import Value, flavour, read_options, unused
 from moorage.io.moordyn.sections import Table, split_sections, unknown_sections
-from moorage.io.text import Findings, Row, read_text, rows, to_float
-from moorage.model import Environment, Model
+from moorage.io.moordyn.v1 import is_v1
+from moorage.io.text import Findings, Row, read_text, rows
+from moorage.model import Environment, Line, Model
+from moorage.model.checks import problems_of
 
 
 def read_moordyn(path: str | Path, defaults: Environment | None = None) -> Model:
-    """Read a MoorDyn file.
+    """Read and check a MoorDyn model file; all that is wrong with it comes as one `ModelError`.
 
     Parameters
     ----------
@@ -25,69 +28,77 @@ def read_moordyn(path: str | Path, defaults: Environment | None = None) -> Model
     path = Path(path)
     text = read_text(path, "model file")
     found = Findings()
+    model = parse_moordyn(text, path, found, defaults)
+    bad_places = {problem.source for problem in found.problems}
+    if not found.lost_rows:
+        found.extend(p for p in problems_of(model) if p.source not in bad_places)
+    found.raise_any()
+    return model
+
+
+def parse_moordyn(text: str, path: Path, found: Findings, defaults: Environment | None = None) -> Model:
+    """Return the model in a text, with what is wrong noted (such a model is not to be used)."""
+    source = Source(str(path))
     front, tables = split_sections(rows(text, str(path)), found)
     unknown_sections(tables, found)
-    source = Source(str(path))
     _require_sections(tables, found, source)
-    empty = Table("", source)
-    v1 = _is_v1(tables)
-    values = read_options(tables.get("options", empty), found)
-    point_list = points.read_points(tables.get("points", empty), found)
-    environment = read_environment(values, point_list, path.parent, found, source, defaults)
-    model = Model(
-        environment=environment,
-        line_types=tuple(
-            line_types.read_line_types(
-                tables.get("line types", empty),
-                line_types.V1_COLUMNS if v1 else line_types.COLUMNS,
-                path.parent,
-                found,
-            )
-        ),
-        lines=tuple(lines.read_lines(tables.get("lines", empty), lines.V1_COLUMNS if v1 else lines.COLUMNS, found)),
+    v1 = is_v1(tables)
+
+    def table(name: str) -> Table:
+        return tables.get(name, Table(name, source))
+
+    values = read_options(table("options"), found)
+    point_list = points.read_points(table("points"), found)
+    type_columns = line_types.V1_COLUMNS if v1 else line_types.COLUMNS
+    line_list = lines.read_lines(table("lines"), lines.V1_COLUMNS if v1 else lines.COLUMNS, found)
+    return Model(
+        environment=read_environment(values, point_list, path.parent, found, source, defaults),
+        line_types=tuple(line_types.read_line_types(table("line types"), type_columns, path.parent, found)),
+        lines=_with_tensions(line_list, events.read_syrope(table("syrope"), found), table("syrope"), found),
         points=tuple(point_list),
+        rod_types=tuple(rods.read_rod_types(table("rod types"), found)),
+        rods=tuple(rods.read_rods(table("rods"), found)),
+        bodies=tuple(bodies.read_bodies(table("bodies"), found)),
+        failures=tuple(events.read_failures(table("failure"), found)),
+        controls=tuple(events.read_controls(table("control"), found)),
+        external_loads=tuple(events.read_loads(table("external loads"), found)),
+        outputs=channels.read_outputs(table("outputs"), found),
         start=_start(values),
-        output_interval=_output_interval(values),
+        output_interval=number(values, "dtOut", 0.0) or None,
         title=_title(front),
         flavour="MoorDyn v1" if v1 else flavour(values),
         file=str(path),
         text=text,
         unused_options=unused(values),
     )
-    found.raise_any()
-    return model
 
 
 def _require_sections(tables: dict[str, Table], found: Findings, source: Source) -> None:
-    needed = {
-        "line types": not tables.keys() & {"rods", "bodies"} or "lines" in tables,
-        "lines": not tables.keys() & {"rods", "bodies"},
-        "points": not tables.keys() & {"rods", "bodies"},
-    }
-    for name, needs in needed.items():
-        if needs and name not in tables:
+    """Note the sections that a model cannot do without: those of lines, unless it is one of rods or bodies."""
+    without_lines = bool(tables.keys() & {"rods", "bodies"}) and "lines" not in tables
+    for name in () if without_lines else ("line types", "points", "lines"):
+        if name not in tables and not (name == "points" and "rods" in tables):
             found.add(f"section {name.upper()} is missing", f"add a section headed --- {name.upper()} ---", source)
+            found.lost_rows = True
+    for name, needed in (("rods", "rod types"),):
+        if name in tables and needed not in tables:
+            found.add(f"section {needed.upper()} is missing", f"{name.upper()} need it", tables[name].source)
+            found.lost_rows = True
 
 
-def _is_v1(tables: dict[str, Table]) -> bool:
-    """Return whether a file is of MoorDyn v1: line types without EI, or lengths before the ends of lines."""
-    types, lines = tables.get("line types"), tables.get("lines")
-    if types is None or lines is None or types.header is None or lines.header is None:
-        return False
-    names = [name.lower() for name in lines.header.words]
-    return "ei" not in map(str.lower, types.header.words) or names[2:3] == ["unstrlen"]
+def _with_tensions(
+    lines: list[Line], tensions: dict[int, tuple[float, float]], table: Table, found: Findings
+) -> tuple[Line, ...]:
+    for id in tensions.keys() - {line.id for line in lines}:
+        found.add(f"SYROPE IC names line {id}, which is not there", "correct the number", table.source)
+    return tuple(dataclasses.replace(line, syrope_tensions=tensions.get(line.id)) for line in lines)
 
 
-def _start(values: dict) -> Literal["static", "as-given"]:
-    value = values.get("TmaxIC")
-    return "as-given" if value is not None and value.word and to_float(value.word) == 0.0 else "static"
-
-
-def _output_interval(values: dict) -> float | None:
-    value = values.get("dtOut")
-    return to_float(value.word) or None if value is not None else None
+def _start(values: dict[str, Value]) -> Literal["static", "as-given"]:
+    """Return where a run starts: TmaxIC 0 means that no initial state is sought."""
+    return "as-given" if number(values, "TmaxIC", 1.0) == 0.0 else "static"
 
 
 def _title(front: list[Row]) -> str:
-    lines = (row.text.strip(" -\t") for row in front)
+    lines = (row.text.strip(" -\t\r") for row in front)
     return "\n".join(line for line in lines if line and "echo" not in line.lower())

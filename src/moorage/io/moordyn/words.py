@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import difflib
 import re
+import warnings
 from dataclasses import dataclass
 from typing import cast
 
-from moorage.errors import Source
+from moorage.errors import ModelWarning, Source
 from moorage.io.text import Findings
 from moorage.model import Attachment
 from moorage.model.components import ObjectKind
@@ -20,6 +21,11 @@ FREE = {
     "point": ("FREE", "POINT", "P", "CONNECT", "CON"),
     "rod": ("FREE", "ROD", "R", "POINT", "CON", "CONNECT"),
     "body": ("FREE",),
+}
+WORDS = {
+    "point": "Fixed, Coupled, Free, Body1 or Turbine1",
+    "rod": "Fixed, Pinned, Coupled, CoupledPinned, Free, Body1, Body1Pinned or Turbine1",
+    "body": "Fixed, Coupled, CoupledPinned, Free or Turbine1",
 }
 TURBINE = ("TURBINE", "T")
 POINT_PREFIX = ("", "P", "POINT", "C", "CON")
@@ -51,7 +57,9 @@ def read_hold(word: str, what: str, found: Findings, source: Source) -> Hold:
         kinds |= dict.fromkeys(COUPLED_PINNED, cast(ObjectKind, "coupled-pinned"))
     if what == "rod":
         kinds |= dict.fromkeys(PINNED, cast(ObjectKind, "pinned"))
-    if letters in kinds and not digits and not rest:
+    if letters in kinds and not rest:
+        if digits:
+            warnings.warn(f"{source}: the number in {word} means nothing, as in MoorDyn", ModelWarning, stacklevel=2)
         return Hold(kinds[letters])
     if letters == "BODY" and digits and what != "body":
         if not rest:
@@ -60,11 +68,9 @@ def read_hold(word: str, what: str, found: Findings, source: Source) -> Hold:
             return Hold("pinned", body=int(digits))
     if letters in TURBINE and digits and not rest:
         return Hold("coupled", turbine=int(digits))
-    words = [*kinds, "TURBINE1"] + (["BODY1"] if what != "body" else []) + (["BODY1PINNED"] if what == "rod" else [])
-    nearest = difflib.get_close_matches(word.upper(), words, n=1)
+    nearest = difflib.get_close_matches(word.upper(), [*kinds, "TURBINE1", "BODY1", "BODY1PINNED"], n=1)
     hint = f"did you mean {nearest[0].capitalize()}? " if nearest else ""
-    listed = ", ".join(w.capitalize() for w in words)
-    found.add(f"attachment of a {what} is not known", f"{hint}write one of {listed}", source, word)
+    found.add(f"attachment of a {what} is not known", f"{hint}write {WORDS[what]}", source, word)
     return Hold("fixed")
 
 

@@ -1,0 +1,359 @@
+"""What a model must fulfil. Every check is one small function that yields the problems it finds."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Callable, Iterator
+from itertools import pairwise
+from math import isfinite
+
+from moorage.errors import ModelError, Problem, Source
+from moorage.model.channels import parse_channel
+from moorage.model.components import Attachment, Curve, Line, LineType
+from moorage.model.model import Model
+from moorage.model.seabed import below_seabed
+
+Check = Callable[[Model], Iterator[Problem]]
+
+
+def check(model: Model) -> None:
+    """Raise one `ModelError` with everything that is wrong with a model."""
+    problems = problems_of(model)
+    if problems:
+        raise ModelError(problems)
+
+
+def problems_of(model: Model) -> list[Problem]:
+    """Return everything that is wrong with a model; numbers that are not finite hide what follows from them."""
+    problems = list(numbers_are_finite(model))
+    return problems or [problem for function in CHECKS for problem in function(model)]
+
+
+def _named(model: Model) -> Iterator[tuple[str, object, Source | None]]:
+    """Yield every component with the name it goes by in messages."""
+    yield "environment", model.environment, Source(model.file) if model.file else None
+    for kind, things in (("line type", model.line_types), ("rod type", model.rod_types)):
+        yield from ((f"{kind} {thing.name}", thing, thing.source) for thing in things)  # type: ignore[attr-defined]
+    for kind, objects in (
+        ("line", model.lines),
+        ("point", model.points),
+        ("rod", model.rods),
+        ("body", model.bodies),
+        ("failure", model.failures),
+        ("external load", model.external_loads),
+    ):
+        yield from ((f"{kind} {thing.id}", thing, thing.source) for thing in objects)  # type: ignore[attr-defined]
+
+
+def numbers_are_finite(model: Model) -> Iterator[Problem]:
+    """No value is nan or infinite."""
+    for name, thing, source in _named(model):
+        for field, value in _floats(thing):
+            if not isfinite(value):
+                yield Problem(f"{field.replace('_', ' ')} of {name} is not finite", "give a number", source, value)
+
+
+def _floats(thing: object, field: str = "") -> Iterator[tuple[str, float]]:
+    if isinstance(thing, float):
+        yield field, thing
+    elif isinstance(thing, tuple):
+        for item in thing:
+            yield from _floats(item, field)
+    elif dataclasses.is_dataclass(thing) and not isinstance(thing, Source):
+        for part in dataclasses.fields(thing):
+            yield from _floats(getattr(thing, part.name), part.name)
+
+
+def _signs(thing: object, name: str, source: Source | None, positive: str, not_negative: str) -> Iterator[Problem]:
+    """Yield the fields (listed with blanks between) that are not positive, or negative."""
+    for fields, holds, word in (
+        (positive, lambda v: v > 0.0, "must be positive"),
+        (not_negative, lambda v: v >= 0.0, "must not be negative"),
+    ):
+        for field in fields.split():
+            value = getattr(thing, field)
+            values = [v for _, v in _floats(value)] if isinstance(value, tuple) else [value]
+            if any(isinstance(v, int | float) and not holds(v) for v in values):
+                yield Problem(f"{field.replace('_', ' ')} of {name} {word}", "correct the value", source, value)
+
+
+def environment_is_possible(model: Model) -> Iterator[Problem]:
+    """Depth is positive; gravity, density and seabed are not negative."""
+    source = Source(model.file) if model.file else None
+    environment = model.environment
+    weak = "gravity water_density seabed_stiffness seabed_damping"
+    yield from _signs(environment, "the environment", source, "water_depth", weak)
+    if model.output_interval is not None and not model.output_interval > 0.0:
+        yield Problem("output interval must be positive", "correct it", source, model.output_interval)
+    if environment.friction is not None:
+        friction = environment.friction
+        yield from _signs(friction, "seabed friction", friction.source, "damping", "transverse axial")
+        if friction.static_ratio < 1.0:
+            remedy = "give a ratio of static to kinetic friction of at least 1"
+            yield Problem("static friction is below kinetic friction", remedy, friction.source, friction.static_ratio)
+
+
+def depths_are_positive(model: Model) -> Iterator[Problem]:
+    """A depth grid is a grid, and all of it is under water."""
+    grid = model.environment.bathymetry
+    if grid is None:
+        return
+    for name, axis in (("x", grid.x), ("y", grid.y)):
+        if not axis or any(b <= a for a, b in pairwise(axis)):
+            yield Problem(f"{name} of the depth grid does not increase", "sort the grid", grid.source)
+    if len(grid.depth) != len(grid.x) or any(len(row) != len(grid.y) for row in grid.depth):
+        yield Problem("depth grid is not rectangular", "give a depth for each x and y", grid.source)
+    shallowest = min((depth for row in grid.depth for depth in row), default=0.0)
+    if not shallowest > 0.0:
+        yield Problem(
+            "seabed reaches the water's surface", "give positive depths (z negative)", grid.source, -shallowest
+        )
+
+
+def current_is_a_profile(model: Model) -> Iterator[Problem]:
+    """Levels of the current increase, each with a velocity."""
+    current = model.environment.current
+    if len(current.z) != len(current.velocity) or not current.z:
+        yield Problem("current has not one velocity for each level", "give both for each level", current.source)
+    if any(b <= a for a, b in pairwise(current.z)):
+        yield Problem("levels of the current do not increase", "sort them, each once", current.source, current.z)
+
+
+def line_types_are_possible(model: Model) -> Iterator[Problem]:
+    """Diameter and EA are positive, all else is not negative."""
+    weak = (
+        "mass_per_length axial_damping bending_stiffness bending_damping transverse_drag tangential_drag "
+        "transverse_added_mass tangential_added_mass lift_coefficient viv_range viv_centre viscoelastic dynamic_damping"
+    )
+    for line_type in model.line_types:
+        name = f"line type {line_type.name}"
+        strong = "diameter" if line_type.syrope else "diameter axial_stiffness"
+        yield from _signs(line_type, name, line_type.source, strong, weak)
+        for field in ("axial_damping_ratio", "minimum_bend_radius"):
+            if (getattr(line_type, field) or 0.0) < 0.0:
+                yield from _signs(line_type, name, line_type.source, "", field)
+        yield from _curves(line_type)
+
+
+def _curves(line_type: LineType) -> Iterator[Problem]:
+    for field in ("axial_stiffness", "axial_damping", "bending_stiffness"):
+        curve = getattr(line_type, field)
+        if not isinstance(curve, Curve):
+            continue
+        what = f"table {curve.file or ''} of {field.replace('_', ' ')} of line type {line_type.name}".replace("  ", " ")
+        if len(curve.x) < 2 or len(curve.x) != len(curve.y):
+            yield Problem(f"{what} has {len(curve.x)} and {len(curve.y)} values", "give two or more", line_type.source)
+        for k, (a, b) in enumerate(pairwise(curve.x)):
+            if b <= a:
+                remedy = f"the value after {a:g} must be larger"
+                yield Problem(f"{what} does not increase at row {k + 2}", remedy, line_type.source, b)
+        if field == "axial_stiffness" and any(b < a for a, b in pairwise(curve.y)):
+            yield Problem(f"{what} has falling tension", "give tensions that do not fall", line_type.source)
+
+
+def rod_types_are_possible(model: Model) -> Iterator[Problem]:
+    """Rods have a diameter; mass and coefficients are not negative."""
+    weak = "mass_per_length transverse_drag transverse_added_mass end_drag end_added_mass"
+    for rod_type in model.rod_types:
+        yield from _signs(rod_type, f"rod type {rod_type.name}", rod_type.source, "diameter", weak)
+
+
+def objects_are_possible(model: Model) -> Iterator[Problem]:
+    """Masses, volumes and coefficients of points and bodies are not negative."""
+    for point in model.points:
+        weak = "mass volume drag_area added_mass"
+        yield from _signs(point, f"point {point.id}", point.source, "", weak)
+    for body in model.bodies:
+        weak = "mass inertia volume drag_area added_mass"
+        yield from _signs(body, f"body {body.id}", body.source, "", weak)
+    for load in model.external_loads:
+        weak = "linear_damping quadratic_damping"
+        yield from _signs(load, f"external load {load.id}", load.source, "", weak)
+
+
+def names_are_unique(model: Model) -> Iterator[Problem]:
+    """Ids and names of types are given once, and ids are positive."""
+    for kind, things, attribute in (
+        ("line type", model.line_types, "name"),
+        ("rod type", model.rod_types, "name"),
+        ("line", model.lines, "id"),
+        ("point", model.points, "id"),
+        ("rod", model.rods, "id"),
+        ("body", model.bodies, "id"),
+        ("failure", model.failures, "id"),
+    ):
+        seen: dict[object, object] = {}
+        for thing in things:
+            key, source = getattr(thing, attribute), getattr(thing, "source", None)
+            key = key.lower() if isinstance(key, str) else key
+            if isinstance(key, int) and key < 1:
+                yield Problem(f"number of a {kind} must be positive", "count from 1", source, key)
+            if key in seen:
+                first = f" (first: {seen[key]})" if seen[key] else ""
+                remedy = "give each its own" if attribute == "id" else "rename one; case does not count"
+                yield Problem(f"{kind} {key} is described twice{first}", remedy, source, key)
+            seen.setdefault(key, source)
+
+
+def sections_are_possible(model: Model) -> Iterator[Problem]:
+    """Sections have a known type, a length and segments."""
+    types = {line_type.name.lower(): line_type.name for line_type in model.line_types}
+    for line in model.lines:
+        if not line.sections:
+            yield Problem(f"line {line.id} has no sections", "give at least one", line.source)
+        for section in line.sections:
+            source = section.source or line.source
+            if section.line_type.lower() not in types:
+                known = ", ".join(types.values()) or "none is described"
+                message = f"line type of line {line.id} is not described"
+                yield Problem(message, f"use one of: {known}", source, section.line_type)
+            if not section.length > 0.0:
+                yield Problem(f"length of line {line.id} must be positive", "correct it", source, section.length)
+            if section.segments < 1:
+                message = f"number of segments of line {line.id} must be at least 1"
+                yield Problem(message, "correct it", source, section.segments)
+
+
+def ends_exist(model: Model) -> Iterator[Problem]:
+    """Line ends are tied to points and rods that are there, and not both to one."""
+    for line in model.lines:
+        for end, attachment in (("A", line.end_a), ("B", line.end_b)):
+            if not _exists(model, attachment):
+                yield Problem(
+                    f"end {end} of line {line.id} is tied to {attachment}, which is not described",
+                    _known(model, attachment.kind),
+                    line.source,
+                )
+        if line.end_a == line.end_b:
+            message = f"both ends of line {line.id} are tied to {line.end_a}"
+            yield Problem(message, "tie its ends to different things", line.source)
+
+
+def _exists(model: Model, attachment: Attachment) -> bool:
+    things = model.points if attachment.kind == "point" else model.rods
+    return any(thing.id == attachment.id for thing in things)
+
+
+def _known(model: Model, kind: str) -> str:
+    groups = {"point": model.points, "rod": model.rods, "body": model.bodies, "line": model.lines}
+    ids = [str(thing.id) for thing in groups[kind]]
+    plural = {"body": "bodies"}.get(kind, kind + "s")
+    shown = ", ".join(ids[:12]) + (", ..." if len(ids) > 12 else "")
+    return f"the {plural} are {shown}" if ids else f"there are no {plural}"
+
+
+def carriers_exist(model: Model) -> Iterator[Problem]:
+    """Points and rods are carried by bodies that are there, rods have a type that is there."""
+    bodies = {body.id for body in model.bodies}
+    for kind, things in (("point", model.points), ("rod", model.rods)):
+        for thing in things:
+            if thing.body is not None and thing.body not in bodies:
+                message = f"{kind} {thing.id} is carried by body {thing.body}, which is not described"
+                yield Problem(message, _known(model, "body"), thing.source)
+    types = {rod_type.name.lower() for rod_type in model.rod_types}
+    for rod in model.rods:
+        if rod.rod_type.lower() not in types:
+            known = ", ".join(t.name for t in model.rod_types) or "none is described"
+            yield Problem(f"type of rod {rod.id} is not described", f"use one of: {known}", rod.source, rod.rod_type)
+
+
+def rods_have_length(model: Model) -> Iterator[Problem]:
+    """A rod with segments has two different ends."""
+    for rod in model.rods:
+        if rod.segments < 0:
+            message = f"number of segments of rod {rod.id} must not be negative"
+            yield Problem(message, "give 0 for a rod without length", rod.source, rod.segments)
+        elif rod.segments > 0 and rod.end_a == rod.end_b:
+            message = f"ends of rod {rod.id} coincide, but it has {rod.segments} segments"
+            yield Problem(message, "give 0 segments for a rod without length", rod.source)
+
+
+def anchors_are_not_buried(model: Model) -> Iterator[Problem]:
+    """Fixed points stand on the seabed or above."""
+    for point in model.points:
+        gap = below_seabed(point, model.environment)
+        if gap > 0.0:
+            depth = model.environment.depth_at(*point.position[:2])
+            yield Problem(
+                f"fixed point {point.id} is {gap:.4g} m below the seabed, where the water is {depth:.6g} m deep",
+                f"write z = {-depth:.6g}, or read with raise_to_seabed (--raise-to-seabed)",
+                point.source,
+                point.position[2],
+            )
+
+
+def free_points_are_held(model: Model) -> Iterator[Problem]:
+    """A free point has mass, or lines that pull it."""
+    tied = {end.id for line in model.lines for end in (line.end_a, line.end_b) if end.kind == "point"}
+    for point in model.points:
+        if point.kind == "free" and point.id not in tied and not point.mass > 0.0:
+            remedy = "tie a line to it, give it mass, or remove it"
+            yield Problem(f"free point {point.id} has neither lines nor mass", remedy, point.source)
+
+
+def events_name_what_exists(model: Model) -> Iterator[Problem]:
+    """Failures, controls and loads name lines and objects that are there."""
+    lines = {line.id: line for line in model.lines}
+    for failure in model.failures:
+        for id in failure.lines:
+            if id not in lines:
+                message = f"failure {failure.id} names line {id}, which is not described"
+                yield Problem(message, _known(model, "line"), failure.source)
+            elif failure.attachment not in _ends(lines[id]):
+                message = f"failure {failure.id}: line {id} is not tied to {failure.attachment}"
+                remedy = f"it is tied to {lines[id].end_a} and {lines[id].end_b}"
+                yield Problem(message, remedy, failure.source)
+    for control in model.controls:
+        for id in control.lines:
+            if id not in lines:
+                message = f"control channel {control.channel} names line {id}, which is not described"
+                yield Problem(message, _known(model, "line"), control.source)
+    groups = {"body": model.bodies, "rod": model.rods, "point": model.points}
+    for load in model.external_loads:
+        if all(thing.id != load.target_id for thing in groups[load.target]):  # type: ignore[attr-defined]
+            message = f"external load {load.id} is on {load.target} {load.target_id}, which is not described"
+            yield Problem(message, _known(model, load.target), load.source)
+
+
+def _ends(line: Line) -> tuple[Attachment, Attachment]:
+    return line.end_a, line.end_b
+
+
+def channels_exist(model: Model) -> Iterator[Problem]:
+    """Output channels name objects and nodes that are there."""
+    segments = {
+        "line": {line.id: line.segments for line in model.lines},
+        "rod": {rod.id: rod.segments for rod in model.rods},
+        "point": {point.id: 0 for point in model.points},
+        "body": {body.id: 0 for body in model.bodies},
+    }
+    for output in model.outputs:
+        channel = parse_channel(output.name)
+        if channel is None:
+            yield Problem("output channel is not known", "write FAIRTEN1, LINE1N5PX, ...", output.source, output.name)
+        elif channel.id not in segments[channel.object]:
+            message = f"output channel {output.name} is of {channel.object} {channel.id}, which is not described"
+            yield Problem(message, _known(model, channel.object), output.source)
+        elif (channel.node or 0) > segments[channel.object][channel.id]:
+            last = segments[channel.object][channel.id]
+            message = f"output channel {output.name} is of node {channel.node}"
+            yield Problem(message, f"the nodes of {channel.object} {channel.id} are 0 to {last}", output.source)
+
+
+CHECKS: tuple[Check, ...] = (
+    environment_is_possible,
+    depths_are_positive,
+    current_is_a_profile,
+    line_types_are_possible,
+    rod_types_are_possible,
+    objects_are_possible,
+    names_are_unique,
+    sections_are_possible,
+    ends_exist,
+    carriers_exist,
+    rods_have_length,
+    free_points_are_held,
+    events_name_what_exists,
+    channels_exist,
+    anchors_are_not_buried,
+)

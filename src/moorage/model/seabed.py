@@ -1,0 +1,40 @@
+"""Points and the seabed: who stands below it, and putting them on it."""
+
+from __future__ import annotations
+
+import dataclasses
+
+from moorage.model.components import Point
+from moorage.model.environment import Environment
+from moorage.model.model import Model
+
+TOLERANCE = 1e-3  # m; coordinates in files are rounded
+
+
+def below_seabed(point: Point, environment: Environment) -> float:
+    """Return how far (m) a fixed point stands below the seabed, 0 when it does not."""
+    if point.kind != "fixed" or point.body is not None or point.on_seabed:
+        return 0.0
+    x, y, z = point.position
+    depth = environment.depth_at(x, y)
+    return -depth - z if z < -depth - TOLERANCE else 0.0
+
+
+def raise_to_seabed(model: Model) -> Model:
+    """Return the model with its fixed points that stand below the seabed moved up to it."""
+    return _with_points(model, lambda point: below_seabed(point, model.environment) > 0.0)
+
+
+def place_on_seabed(model: Model) -> Model:
+    """Return the model with z of the points described as lying on the seabed."""
+    return _with_points(model, lambda point: point.on_seabed)
+
+
+def _with_points(model: Model, moves) -> Model:
+    points = tuple(_at_seabed(p, model.environment) if moves(p) else p for p in model.points)
+    return dataclasses.replace(model, points=points)
+
+
+def _at_seabed(point: Point, environment: Environment) -> Point:
+    x, y, _ = point.position
+    return dataclasses.replace(point, position=(x, y, -environment.depth_at(x, y)))

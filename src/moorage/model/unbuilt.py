@@ -1,0 +1,128 @@
+"""Features that files can describe and that are not simulated yet; an entry goes when its physics comes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+from moorage.errors import Problem, UnsupportedError
+from moorage.model.components import Curve
+from moorage.model.model import Model
+
+
+def refuse_unbuilt(model: Model) -> None:
+    """Raise one `UnsupportedError` that names every feature of the model that is not simulated yet."""
+    problems = unbuilt(model)
+    if problems:
+        raise UnsupportedError(problems)
+
+
+def unbuilt(model: Model) -> list[Problem]:
+    """Return the features of a model that are not simulated yet, with their places."""
+    return [problem for feature in UNBUILT for problem in feature(model)]
+
+
+def _rods(model: Model) -> Iterator[Problem]:
+    for rod in model.rods:
+        yield Problem(f"rod {rod.id}: rods are not simulated yet", "use points", rod.source)
+
+
+def _bodies(model: Model) -> Iterator[Problem]:
+    for body in model.bodies:
+        yield Problem(f"body {body.id}: bodies are not simulated yet", "move coupled points by a motion", body.source)
+
+
+def _points_on_bodies(model: Model) -> Iterator[Problem]:
+    for point in model.points:
+        if point.body is not None:
+            message = f"point {point.id}: points on bodies are not simulated yet"
+            yield Problem(message, "describe it as fixed, coupled or free", point.source)
+
+
+def _turbines(model: Model) -> Iterator[Problem]:
+    for kind, things in (("point", model.points), ("rod", model.rods), ("body", model.bodies)):
+        for thing in things:
+            if thing.turbine is not None:  # type: ignore[attr-defined]
+                message = f"{kind} {thing.id}: attachments to turbines are not simulated yet"  # type: ignore[attr-defined]
+                yield Problem(message, "describe it as coupled", thing.source)  # type: ignore[attr-defined]
+
+
+def _bending(model: Model) -> Iterator[Problem]:
+    for t in model.line_types:
+        if isinstance(t.bending_stiffness, Curve) or t.bending_stiffness > 0.0:
+            message = f"line type {t.name}: bending stiffness is not simulated yet"
+            yield Problem(message, "set EI to 0", t.source, getattr(t.bending_stiffness, "file", t.bending_stiffness))
+
+
+def _viscoelastic(model: Model) -> Iterator[Problem]:
+    for t in model.line_types:
+        if t.viscoelastic and not t.syrope:
+            message = f"line type {t.name}: viscoelastic lines are not simulated yet"
+            yield Problem(message, "give one value of EA", t.source, t.viscoelastic)
+
+
+def _syrope(model: Model) -> Iterator[Problem]:
+    for t in model.line_types:
+        if t.syrope:
+            message = f"line type {t.name}: the Syrope model is not simulated yet"
+            yield Problem(message, "give one value of EA, or a table", t.source, t.syrope)
+
+
+def _vortex_vibration(model: Model) -> Iterator[Problem]:
+    for t in model.line_types:
+        if t.lift_coefficient > 0.0:
+            message = f"line type {t.name}: vortex-induced vibration is not simulated yet"
+            yield Problem(message, "set Cl to 0", t.source, t.lift_coefficient)
+
+
+def _friction(model: Model) -> Iterator[Problem]:
+    friction = model.environment.friction
+    if friction is not None and max(friction.axial, friction.transverse) > 0.0:
+        coefficients = (friction.axial, friction.transverse)
+        yield Problem("seabed friction is not simulated yet", "set it to 0", friction.source, coefficients)
+
+
+def _bathymetry(model: Model) -> Iterator[Problem]:
+    grid = model.environment.bathymetry
+    if grid is not None:
+        yield Problem("uneven seabeds are not simulated yet", "give one water depth", grid.source, grid.file or None)
+
+
+def _waves(model: Model) -> Iterator[Problem]:
+    waves = model.environment.waves
+    if waves is not None:
+        what = "unsteady currents are" if waves.option == "Currents" else "waves are"
+        yield Problem(f"{what} not simulated yet", f"remove option {waves.option}", waves.source, waves.value)
+
+
+def _failures(model: Model) -> Iterator[Problem]:
+    for failure in model.failures:
+        yield Problem(f"failure {failure.id}: failures are not simulated yet", "remove it", failure.source)
+
+
+def _controls(model: Model) -> Iterator[Problem]:
+    for control in model.controls:
+        message = f"control channel {control.channel}: controlled lengths are not simulated yet"
+        yield Problem(message, "remove it", control.source)
+
+
+def _external_loads(model: Model) -> Iterator[Problem]:
+    for load in model.external_loads:
+        yield Problem(f"external load {load.id}: external loads are not simulated yet", "remove it", load.source)
+
+
+UNBUILT: tuple[Callable[[Model], Iterator[Problem]], ...] = (
+    _rods,
+    _bodies,
+    _points_on_bodies,
+    _turbines,
+    _bending,
+    _viscoelastic,
+    _syrope,
+    _vortex_vibration,
+    _friction,
+    _bathymetry,
+    _waves,
+    _failures,
+    _controls,
+    _external_loads,
+)
