@@ -1,15 +1,7 @@
 """Files into models and back."""
 
-from __future__ import annotations
+from moorage.io.moordyn import DriverCase, is_driver, read_driver, read_moordyn
+from moorage.io.motion import read_motion
+from moorage.io.read import read
 
-from pathlib import Path
-
-from moorage.io.moordyn import read_moordyn
-from moorage.model import Model
-
-__all__ = ["read", "read_moordyn"]
-
-
-def read(path: str | Path) -> Model:
-    """Read a model from a file: MoorDyn v2 (C or F), v1."""
-    return read_moordyn(path)
+__all__ = ["DriverCase", "is_driver", "read", "read_driver", "read_moordyn", "read_motion"]

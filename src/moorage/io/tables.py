@@ -9,7 +9,9 @@ from moorage.io.text import Findings, is_number, read_text, rows
 from moorage.model import Current, Curve
 
 
-def read_columns(path: Path, what: str, widths: range, found: Findings, source: Source) -> list[tuple[float, ...]]:
+def read_columns(
+    path: Path, what: str, widths: range, found: Findings, source: Source, least: int = 2
+) -> list[tuple[float, ...]]:
     """Return the rows of numbers of a table file, empty when something is wrong (which is noted).
 
     What stands before the first row of numbers is the header; blanks or commas separate the columns.
@@ -20,6 +22,8 @@ def read_columns(path: Path, what: str, widths: range, found: Findings, source: 
         Numbers that a row may have.
     source : Source
         Where the file is named.
+    least : int
+        Rows that it must have.
     """
     try:
         text = read_text(path, f"table of {what}", source=source)
@@ -37,8 +41,8 @@ def read_columns(path: Path, what: str, widths: range, found: Findings, source: 
                 f"row of the table of {what} is not {expected} numbers", "correct it", row.source, row.text.strip()
             )
             return []
-    if len(table) < 2:
-        found.add(f"table of {what} has {len(table)} rows of numbers", "give at least two rows", Source(str(path)))
+    if len(table) < least:
+        found.add(f"table of {what} has {len(table)} rows of numbers", f"give at least {least}", Source(str(path)))
         return []
     return table
 
@@ -51,7 +55,9 @@ def read_curve(folder: Path, name: str, what: str, found: Findings, source: Sour
 
 def read_current(path: Path, found: Findings, source: Source) -> Current:
     """Return the steady profile in MoorDyn-C's current_profile.txt: z, u and, when given, v and w."""
-    return current_profile(read_columns(path, "current profile", range(2, 5), found, source), Source(str(path)))
+    return current_profile(
+        read_columns(path, "current profile", range(2, 5), found, source, least=1), Source(str(path))
+    )
 
 
 def current_profile(table: list[tuple[float, ...]], source: Source) -> Current:

@@ -6,6 +6,7 @@ import dataclasses
 from collections.abc import Callable, Iterator
 from itertools import pairwise
 from math import isfinite
+from typing import Any
 
 from moorage.errors import ModelError, Problem, Source
 from moorage.model.channels import parse_channel
@@ -216,9 +217,10 @@ def sections_are_possible(model: Model) -> Iterator[Problem]:
 
 def ends_exist(model: Model) -> Iterator[Problem]:
     """Line ends are tied to points and rods that are there, and not both to one."""
+    places = {("point", point.id) for point in model.points} | {("rod", rod.id) for rod in model.rods}
     for line in model.lines:
         for end, attachment in (("A", line.end_a), ("B", line.end_b)):
-            if not _exists(model, attachment):
+            if (attachment.kind, attachment.id) not in places:
                 yield Problem(
                     f"end {end} of line {line.id} is tied to {attachment}, which is not described",
                     _known(model, attachment.kind),
@@ -229,13 +231,13 @@ def ends_exist(model: Model) -> Iterator[Problem]:
             yield Problem(message, "tie its ends to different things", line.source)
 
 
-def _exists(model: Model, attachment: Attachment) -> bool:
-    things = model.points if attachment.kind == "point" else model.rods
-    return any(thing.id == attachment.id for thing in things)
-
-
 def _known(model: Model, kind: str) -> str:
-    groups = {"point": model.points, "rod": model.rods, "body": model.bodies, "line": model.lines}
+    groups: dict[str, tuple[Any, ...]] = {
+        "point": model.points,
+        "rod": model.rods,
+        "body": model.bodies,
+        "line": model.lines,
+    }
     ids = [str(thing.id) for thing in groups[kind]]
     plural = {"body": "bodies"}.get(kind, kind + "s")
     shown = ", ".join(ids[:12]) + (", ..." if len(ids) > 12 else "")
@@ -308,9 +310,9 @@ def events_name_what_exists(model: Model) -> Iterator[Problem]:
             if id not in lines:
                 message = f"control channel {control.channel} names line {id}, which is not described"
                 yield Problem(message, _known(model, "line"), control.source)
-    groups = {"body": model.bodies, "rod": model.rods, "point": model.points}
+    groups: dict[str, tuple[Any, ...]] = {"body": model.bodies, "rod": model.rods, "point": model.points}
     for load in model.external_loads:
-        if all(thing.id != load.target_id for thing in groups[load.target]):  # type: ignore[attr-defined]
+        if all(thing.id != load.target_id for thing in groups[load.target]):
             message = f"external load {load.id} is on {load.target} {load.target_id}, which is not described"
             yield Problem(message, _known(model, load.target), load.source)
 

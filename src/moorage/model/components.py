@@ -14,10 +14,6 @@ PointKind = Literal["fixed", "coupled", "free"]
 ObjectKind = Literal["fixed", "coupled", "free", "pinned", "coupled-pinned"]
 
 
-def _source() -> Source | None:
-    return field(default=None, compare=False, repr=False)  # type: ignore[return-value]
-
-
 @dataclass(frozen=True)
 class Curve:
     """A table y(x), linear between its rows and continued with the slope of its end intervals.
@@ -86,7 +82,7 @@ class LineType:
     viscoelastic: tuple[float, ...] = ()
     dynamic_damping: float = 0.0
     syrope: str = ""
-    source: Source | None = _source()
+    source: Source | None = field(default=None, compare=False, repr=False)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -100,7 +96,7 @@ class RodType:
     transverse_added_mass: float = 0.0
     end_drag: float = 0.0
     end_added_mass: float = 0.0
-    source: Source | None = _source()
+    source: Source | None = field(default=None, compare=False, repr=False)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -110,7 +106,7 @@ class Section:
     line_type: str
     length: float
     segments: int
-    source: Source | None = _source()
+    source: Source | None = field(default=None, compare=False, repr=False)
 
 
 @dataclass(frozen=True)
@@ -140,7 +136,7 @@ class Line:
     name: str = ""
     outputs: str = ""
     syrope_tensions: tuple[float, float] | None = None
-    source: Source | None = _source()
+    source: Source | None = field(default=None, compare=False, repr=False)
 
     @property
     def length(self) -> float:
@@ -191,7 +187,7 @@ class Point:
     turbine: int | None = None
     on_seabed: bool = False
     name: str = ""
-    source: Source | None = _source()
+    source: Source | None = field(default=None, compare=False, repr=False)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -212,7 +208,7 @@ class Rod:
     turbine: int | None = None
     outputs: str = ""
     name: str = ""
-    source: Source | None = _source()
+    source: Source | None = field(default=None, compare=False, repr=False)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -235,7 +231,7 @@ class Body:
     added_mass: tuple[float, ...] = (0.0,) * 6
     turbine: int | None = None
     name: str = ""
-    source: Source | None = _source()
+    source: Source | None = field(default=None, compare=False, repr=False)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -247,7 +243,7 @@ class Failure:
     lines: tuple[int, ...]
     time: float = 0.0
     tension: float = 0.0
-    source: Source | None = _source()
+    source: Source | None = field(default=None, compare=False, repr=False)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -256,7 +252,7 @@ class Control:
 
     channel: int
     lines: tuple[int, ...]
-    source: Source | None = _source()
+    source: Source | None = field(default=None, compare=False, repr=False)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -270,4 +266,4 @@ class ExternalLoad:
     linear_damping: tuple[float, ...] = (0.0, 0.0, 0.0)
     quadratic_damping: tuple[float, ...] = (0.0, 0.0, 0.0)
     local: bool = False
-    source: Source | None = _source()
+    source: Source | None = field(default=None, compare=False, repr=False)

@@ -1,5 +1,6 @@
 """MoorDyn's files: model (v2 of C and F, v1), driver, and the writer."""
 
+from moorage.io.moordyn.driver import DriverCase, is_driver, read_driver
 from moorage.io.moordyn.reader import read_moordyn
 
-__all__ = ["read_moordyn"]
+__all__ = ["DriverCase", "is_driver", "read_driver", "read_moordyn"]

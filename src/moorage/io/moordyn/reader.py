@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Literal
 
 from moorage.errors import Source
+from moorage.io.finish import checked
 from moorage.io.moordyn import bodies, channels, events, line_types, lines, points, rods
 from moorage.io.moordyn.environment import number, read_environment
 from moorage.io.moordyn.options import Value, flavour, read_options, unused
@@ -14,26 +15,23 @@ from moorage.io.moordyn.sections import Table, split_sections, unknown_sections
 from moorage.io.moordyn.v1 import is_v1
 from moorage.io.text import Findings, Row, read_text, rows
 from moorage.model import Environment, Line, Model
-from moorage.model.checks import problems_of
 
 
-def read_moordyn(path: str | Path, defaults: Environment | None = None) -> Model:
+def read_moordyn(path: str | Path, defaults: Environment | None = None, raise_to_seabed: bool = False) -> Model:
     """Read and check a MoorDyn model file; all that is wrong with it comes as one `ModelError`.
 
     Parameters
     ----------
     defaults : Environment, optional
         Gravity, density and depth where the file does not give them (a driver file's).
+    raise_to_seabed : bool
+        Move fixed points that stand below the seabed up to it, instead of refusing them.
     """
     path = Path(path)
     text = read_text(path, "model file")
     found = Findings()
     model = parse_moordyn(text, path, found, defaults)
-    bad_places = {problem.source for problem in found.problems}
-    if not found.lost_rows:
-        found.extend(p for p in problems_of(model) if p.source not in bad_places)
-    found.raise_any()
-    return model
+    return checked(model, found, raise_to_seabed)
 
 
 def parse_moordyn(text: str, path: Path, found: Findings, defaults: Environment | None = None) -> Model:

@@ -1,0 +1,23 @@
+"""One entry for every kind of model file."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from moorage.io.moordyn import is_driver, read_driver, read_moordyn
+from moorage.io.text import read_text
+from moorage.model import Model
+
+
+def read(path: str | Path, raise_to_seabed: bool = False) -> Model:
+    """Read a model from a file: MoorDyn v2 (C or F), v1, MoorDyn-F's driver file.
+
+    Parameters
+    ----------
+    raise_to_seabed : bool
+        Move fixed points that stand below the seabed up to it, instead of refusing them.
+    """
+    path = Path(path)
+    if is_driver(read_text(path, "model file")):
+        return read_driver(path, raise_to_seabed).model
+    return read_moordyn(path, raise_to_seabed=raise_to_seabed)
