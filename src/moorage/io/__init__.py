@@ -1,7 +1,20 @@
 """Files into models and back."""
 
-from moorage.io.moordyn import DriverCase, is_driver, read_driver, read_moordyn
+from moorage.io.convert import convert
+from moorage.io.moordyn import DriverCase, is_driver, read_driver, read_moordyn, write_moordyn
 from moorage.io.motion import read_motion
+from moorage.io.native import read_native, write_native
 from moorage.io.read import read
 
-__all__ = ["DriverCase", "is_driver", "read", "read_driver", "read_moordyn", "read_motion"]
+__all__ = [
+    "DriverCase",
+    "convert",
+    "is_driver",
+    "read",
+    "read_driver",
+    "read_moordyn",
+    "read_motion",
+    "read_native",
+    "write_moordyn",
+    "write_native",
+]

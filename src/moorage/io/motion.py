@@ -161,3 +161,6 @@ def _complete(headings: list[_Heading], found: Findings, source: Source) -> None
             found.add(f"motion column {', '.join(twice)} appears twice", "remove one", source)
     if len(owners) == 1:
         found.add("motion file has no columns after time", f"add {', '.join(PLATFORM)}, or point4.x[m], ...", source)
+
+
+Motion.reader = read_motion

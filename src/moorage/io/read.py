@@ -5,12 +5,13 @@ from __future__ import annotations
 from pathlib import Path
 
 from moorage.io.moordyn import is_driver, read_driver, read_moordyn
+from moorage.io.native import read_native
 from moorage.io.text import read_text
 from moorage.model import Model
 
 
 def read(path: str | Path, raise_to_seabed: bool = False) -> Model:
-    """Read a model from a file: MoorDyn v2 (C or F), v1, MoorDyn-F's driver file.
+    """Read a model from a file: native (.yaml, .yml), MoorDyn v2 (C or F), v1, MoorDyn-F's driver file.
 
     Parameters
     ----------
@@ -18,6 +19,8 @@ def read(path: str | Path, raise_to_seabed: bool = False) -> Model:
         Move fixed points that stand below the seabed up to it, instead of refusing them.
     """
     path = Path(path)
+    if path.suffix.lower() in (".yaml", ".yml"):
+        return read_native(path, raise_to_seabed)
     if is_driver(read_text(path, "model file")):
         return read_driver(path, raise_to_seabed).model
     return read_moordyn(path, raise_to_seabed=raise_to_seabed)

@@ -8,6 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from pathlib import Path
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -39,6 +41,8 @@ class Motion:
     points: Mapping[int, np.ndarray] = field(default_factory=dict)
     coupled: np.ndarray | None = None
     source: Source | None = field(default=None, compare=False)
+
+    reader: ClassVar[Callable[..., Motion] | None] = None  # moorage.io puts its reader here: the model knows no files
 
     def __post_init__(self):
         time = np.array(self.time, dtype=float)
@@ -89,6 +93,13 @@ class Motion:
     def duration(self) -> float:
         """Last time, s."""
         return float(self.time[-1])
+
+    @classmethod
+    def read(cls, path: str | Path, model: Model | None = None) -> Motion:
+        """Read a motion file, MoorDyn-F's or a CSV with named columns; see `moorage.io.read_motion`."""
+        if cls.reader is None:
+            raise RuntimeError("import moorage.io before reading motion files")
+        return cls.reader(path, model)
 
     @classmethod
     def from_platform(cls, time: ArrayLike, displacement: ArrayLike) -> Motion:

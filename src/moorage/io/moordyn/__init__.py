@@ -2,5 +2,6 @@
 
 from moorage.io.moordyn.driver import DriverCase, is_driver, read_driver
 from moorage.io.moordyn.reader import read_moordyn
+from moorage.io.moordyn.writer import write_moordyn
 
-__all__ = ["DriverCase", "is_driver", "read_driver", "read_moordyn"]
+__all__ = ["DriverCase", "is_driver", "read_driver", "read_moordyn", "write_moordyn"]

@@ -98,5 +98,6 @@ def _start(values: dict[str, Value]) -> Literal["static", "as-given"]:
 
 
 def _title(front: list[Row]) -> str:
-    lines = (row.text.strip(" -\t\r") for row in front)
+    """Return the free text before the first section, without lines of dashes and v1's echo flag."""
+    lines = (row.text.strip() for row in front if "---" not in row.text)
     return "\n".join(line for line in lines if line and "echo" not in line.lower())

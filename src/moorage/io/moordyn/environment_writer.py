@@ -1,0 +1,102 @@
+"""The environment as MoorDyn's options, with the depth and current files that they name."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from moorage.io.moordyn.layout import Flavour
+from moorage.model import Bathymetry, Current, Environment
+
+Pair = tuple[str, str]
+
+
+def environment_options(environment: Environment, path: Path, flavour: Flavour, notes: list[str]) -> list[Pair]:
+    """Return the options (value, name) that describe an environment; write the files beside `path`."""
+    options = [
+        (repr(environment.gravity), "g"),
+        (repr(environment.water_density), "rho"),
+        (repr(environment.seabed_stiffness), "kBot"),
+        (repr(environment.seabed_damping), "cBot"),
+    ]
+    options += _depth(environment, path, flavour, notes)
+    options += _friction(environment, flavour, notes)
+    return options + _water(environment, path, flavour, notes)
+
+
+def _depth(environment: Environment, path: Path, flavour: str, notes: list[str]) -> list[Pair]:
+    grid = environment.bathymetry
+    depth = (repr(environment.water_depth), "WtrDpth")
+    if grid is None:
+        return [depth]
+    name = f"depth_{path.stem}.txt".replace(" ", "_").replace("---", "_")
+    write = _write_list if flavour == "C" else _write_matrix
+    write(grid, path.parent / name)
+    if flavour == "C":
+        notes.append("MoorDyn-C looks for the depth file in the folder that it is started from")
+        return [depth, (name, "SeafloorFile")]
+    if environment.water_depth != grid.depth_at(0.0, 0.0):
+        notes.append("the reference depth has no place in the file: MoorDyn-F takes the depth at the origin")
+    return [(name, "WtrDpth")]
+
+
+def _write_list(grid: Bathymetry, path: Path) -> None:
+    rows = [f"{len(grid.x)} {len(grid.y)}", " ".join(map(repr, grid.x)), " ".join(map(repr, grid.y))]
+    rows += [f"{x!r} {y!r} {-grid.depth[i][j]!r}" for i, x in enumerate(grid.x) for j, y in enumerate(grid.y)]
+    path.write_text("\n".join(rows) + "\n", "utf-8")
+
+
+def _write_matrix(grid: Bathymetry, path: Path) -> None:
+    rows = ["--- MoorDyn Bathymetry Input File ---", f"nGridX {len(grid.x)}", f"nGridY {len(grid.y)}"]
+    rows.append(" ".join(map(repr, grid.x)))
+    rows += [" ".join(map(repr, (y, *(row[j] for row in grid.depth)))) for j, y in enumerate(grid.y)]
+    path.write_text("\n".join(rows) + "\n", "utf-8")
+
+
+def _friction(environment: Environment, flavour: str, notes: list[str]) -> list[Pair]:
+    friction = environment.friction
+    if friction is None:
+        return []
+    ratio, damping = repr(friction.static_ratio), repr(friction.damping)
+    if flavour == "F":
+        pair = [(repr(friction.transverse), "mu_kT"), (repr(friction.axial), "mu_kA")]
+        return [*pair, (ratio, "mc"), (damping, "cv")]
+    if friction.axial != friction.transverse:
+        notes.append("MoorDyn-C has one coefficient of friction: the transverse one was written")
+    coefficient = (repr(friction.transverse), "FrictionCoefficient")
+    return [coefficient, (ratio, "StatDynFricScale"), (damping, "FricDamp")]
+
+
+def _water(environment: Environment, path: Path, flavour: str, notes: list[str]) -> list[Pair]:
+    waves, options = environment.waves, []
+    if waves is not None and (waves.option == "WaterKin") == (flavour == "F"):
+        notes.append(f"files of {waves.option} {waves.value} are named as they were, not copied")
+        options = [(waves.value, waves.option), *((value, name) for name, value in waves.settings)]
+    elif waves is not None:
+        notes.append(f"waves by {waves.option} cannot be said for MoorDyn-{flavour}")
+    still = environment.current == Current()
+    if still or any(name == "Currents" for _, name in options) or (waves and flavour == "F" and options):
+        return options
+    if flavour == "C":
+        _write_profile(environment.current, path.parent / "current_profile.txt")
+        notes.append("the current is in current_profile.txt, the one name that MoorDyn-C reads in this folder")
+        return [*options, ("1", "Currents")]
+    if any(w for _, _, w in environment.current.velocity):
+        notes.append("vertical currents cannot be said for MoorDyn-F")
+    name = f"water_{path.stem}.txt".replace(" ", "_").replace("---", "_")
+    _write_water_file(environment.current, path.parent / name)
+    return [(name, "WaterKin")]
+
+
+def _write_profile(current: Current, path: Path) -> None:
+    rows = ["--- MoorDyn steady currents File ---", "Profile", "z (m) ux (m/s) uy (m/s) uz (m/s)"]
+    rows += [" ".join(map(repr, (z, *v))) for z, v in zip(current.z, current.velocity, strict=True)]
+    path.write_text("\n".join(rows) + "\n", "utf-8")
+
+
+def _write_water_file(current: Current, path: Path) -> None:
+    grid = ["1 - input type", "0 - grid"] * 3
+    rows = ["MoorDyn Waves and Currents input file", "-", "--- WAVES ---", "0 WaveKinMod"]
+    rows += ['"" WaveKinFile', "0 dtWave", "0 WaveDir", *grid, "--- CURRENT ---", "1 CurrentMod"]
+    rows += ["z-depth x-current y-current", "(m) (m/s) (m/s)"]
+    rows += [" ".join(map(repr, (z, u, v))) for z, (u, v, _) in zip(current.z, current.velocity, strict=True)]
+    path.write_text("\n".join([*rows, "--- need this line ---"]) + "\n", "utf-8")

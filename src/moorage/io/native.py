@@ -1,0 +1,202 @@
+"""The native model file: YAML by the schema in `moorage.io.schema`."""
+
+from __future__ import annotations
+
+import dataclasses
+import re
+from pathlib import Path
+from typing import Any
+
+import yaml
+
+from moorage.errors import ModelError, Problem, Source
+from moorage.io.finish import checked
+from moorage.io.schema import SCHEMA
+from moorage.io.text import Findings, read_text
+from moorage.io.yaml_nodes import NodeReader, Values
+from moorage.model import (
+    Attachment,
+    Bathymetry,
+    Body,
+    Control,
+    Current,
+    Curve,
+    Environment,
+    ExternalLoad,
+    Failure,
+    Friction,
+    Line,
+    LineType,
+    Model,
+    OutputChannel,
+    Point,
+    Rod,
+    RodType,
+    Section,
+    Waves,
+)
+
+VERSION = 1
+
+
+def read_native(path: str | Path, raise_to_seabed: bool = False) -> Model:
+    """Read and check a native model file; all that is wrong with it comes as one `ModelError`."""
+    path = Path(path)
+    text = read_text(path, "model file")
+    found = Findings()
+    values = _load(text, path, found)
+    found.raise_any()
+    assert values is not None
+    return checked(dataclasses.replace(_model(values, found), file=str(path), text=text), found, raise_to_seabed)
+
+
+def _load(text: str, path: Path, found: Findings) -> Values | None:
+    try:
+        node = yaml.compose(text, Loader=yaml.SafeLoader)
+    except (yaml.YAMLError, RecursionError, ValueError) as error:
+        mark = getattr(error, "problem_mark", None)
+        source = Source(str(path), mark.line + 1 if mark else 0)
+        reason = getattr(error, "problem", None) or str(error).split("\n")[0] or type(error).__name__
+        raise ModelError(Problem(f"not a YAML file: {reason}", "correct the text", source)) from None
+    if node is None:
+        raise ModelError(Problem("model file is empty", "write a model", Source(str(path))))
+    values = NodeReader(str(path), path.parent, found).read_object(node, "model", "the model")
+    if values is not None and values["moorage"] != VERSION:
+        found.add("version of the file is not known", f"write moorage: {VERSION}", Source(str(path)), values["moorage"])
+    return values
+
+
+def _model(values: Values, found: Findings) -> Model:
+    points = tuple(_point(entry) for entry in values.get("points", ()))
+    ids = {point.name: point.id for point in points if point.name}
+    return Model(
+        environment=_environment(values["environment"]),
+        line_types=tuple(LineType(name=name, **entry) for name, entry in values.get("line_types", {}).items()),
+        lines=tuple(_line(entry, ids, found) for entry in values.get("lines", ())),
+        points=points,
+        rod_types=tuple(RodType(name=name, **entry) for name, entry in values.get("rod_types", {}).items()),
+        rods=tuple(Rod(**entry) for entry in values.get("rods", ())),
+        bodies=tuple(Body(**entry) for entry in values.get("bodies", ())),
+        failures=tuple(
+            Failure(**entry | {"attachment": _end(entry["attachment"], ids, found)})
+            for entry in values.get("failures", ())
+        ),
+        controls=tuple(Control(**entry) for entry in values.get("controls", ())),
+        external_loads=tuple(ExternalLoad(**entry) for entry in values.get("external_loads", ())),
+        outputs=tuple(OutputChannel(name=name.upper(), source=source) for name, source in values.get("outputs", ())),
+        start=values.get("start", "static"),
+        output_interval=values.get("output_interval"),
+        title=values.get("title", ""),
+    )
+
+
+def _environment(values: Values) -> Environment:
+    parts: dict[str, type] = {"friction": Friction, "bathymetry": Bathymetry, "current": Current, "waves": Waves}
+    made = {key: parts[key](**value) if key in parts else value for key, value in values.items() if key != "source"}
+    return Environment(**made)
+
+
+def _point(values: Values) -> Point:
+    position, on_seabed = values["position"]
+    return Point(**values | {"position": position, "on_seabed": on_seabed})
+
+
+def _line(values: Values, ids: dict[str, int], found: Findings) -> Line:
+    sections = tuple(Section(**section) for section in values["sections"])
+    ends = {end: _end(values[end], ids, found) for end in ("end_a", "end_b")}
+    return Line(**values | ends | {"sections": sections})
+
+
+def _end(value: tuple[str, Source], ids: dict[str, int], found: Findings) -> Attachment:
+    """Return what an end is tied to: a point's name or number, or `rod 1 A`."""
+    word, source = value
+    if word in ids:
+        return Attachment("point", ids[word])
+    rod = re.fullmatch(r"(?i)rod\s*(\d+)\s*([AB])", word)
+    if rod:
+        return Attachment("rod", int(rod[1]), "A" if rod[2].upper() == "A" else "B")
+    point = re.fullmatch(r"(?i)(?:point\s*)?(\d+)", word)
+    if point:
+        return Attachment("point", int(point[1]))
+    known = ", ".join(ids) or "no point has a name"
+    found.add("end is neither a point nor a rod's end", f"write 1, rod 1 A, or a name ({known})", source, word)
+    found.lost_rows = True
+    return Attachment("point", 0)
+
+
+def write_native(model: Model, path: str | Path) -> list[str]:
+    """Write a model as a native file; return what it cannot say (options of other programs)."""
+    names = {point.id: point.name for point in model.points}
+    names = {id: name for id, name in names.items() if _is_name(name, list(names.values()))}
+    tree = {"moorage": VERSION} | _tree("model", model, names)
+    Path(path).write_text(yaml.dump(tree, Dumper=_Dumper, sort_keys=False, width=120, allow_unicode=True), "utf-8")
+    return [
+        f"option {option.name} = {option.value} ({option.source}): not written, {option.reason}"
+        for option in model.unused_options
+    ]
+
+
+def _is_name(name: str, names: list[str]) -> bool:
+    return bool(name) and names.count(name) == 1 and not re.fullmatch(r"(?i)(point\s*)?\d+|rod.*", name)
+
+
+def _tree(name: str, thing: Any, names: dict[int, str]) -> dict[str, Any]:
+    """Return an object as plain values by the schema, without what has its default."""
+    defaults = {f.name: f.default for f in dataclasses.fields(thing)}
+    tree: dict[str, Any] = {}
+    for key, entry in SCHEMA[name].items():
+        if key == "moorage":
+            continue
+        value = getattr(thing, key)
+        if entry.required or value != defaults[key]:
+            tree[key] = _plain(value, entry.kind, names)
+    if name == "point" and thing.on_seabed:
+        tree["position"][2] = "seabed"
+    return tree
+
+
+def _plain(value: Any, kind: str, names: dict[int, str]) -> Any:
+    if kind.startswith("list of "):
+        return [_tree(kind[len("list of ") :], item, names) for item in value]
+    if kind.startswith("map of "):
+        return {item.name: _tree(kind[len("map of ") :], item, names) for item in value}
+    if kind in SCHEMA:
+        return _tree(kind, value, names)
+    if kind == "end":
+        return names.get(value.id, value.id) if value.kind == "point" else f"rod {value.id} {value.end}"
+    if kind == "texts":
+        return [channel.name for channel in value]
+    if kind == "pairs":
+        return dict(value)
+    if isinstance(value, Curve):
+        return {"x": list(value.x), "y": list(value.y)}
+    if kind == "table":
+        return [list(row) for row in value]
+    return list(value) if isinstance(value, tuple) else value
+
+
+class _Dumper(yaml.SafeDumper):
+    """Writes objects in blocks, and short lists and sections in one line."""
+
+    def increase_indent(self, flow: bool = False, indentless: bool = False) -> None:
+        """Indent lists under their key."""
+        return super().increase_indent(flow, False)
+
+
+def _represent_list(dumper: yaml.SafeDumper, items: list[Any]) -> yaml.Node:
+    flow = not any(isinstance(item, dict | list) for item in items)
+    return dumper.represent_sequence("tag:yaml.org,2002:seq", items, flow_style=flow)
+
+
+def _represent_dict(dumper: yaml.SafeDumper, items: dict[str, Any]) -> yaml.Node:
+    flow = "line_type" in items
+    return dumper.represent_mapping("tag:yaml.org,2002:map", items.items(), flow_style=flow)
+
+
+def _represent_text(dumper: yaml.SafeDumper, text: str) -> yaml.Node:
+    return dumper.represent_scalar("tag:yaml.org,2002:str", text, style="|" if "\n" in text else None)
+
+
+_Dumper.add_representer(str, _represent_text)
+_Dumper.add_representer(list, _represent_list)
+_Dumper.add_representer(dict, _represent_dict)

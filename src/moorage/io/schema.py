@@ -1,0 +1,178 @@
+"""The native file's schema: every key of every object, with unit and meaning. `docs` and the reader both live on it.
+
+Keys are the fields of the dataclasses in `moorage.model`; what is not required has the default that stands there.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Key:
+    """A key: the kind of its value, unit, meaning, and whether it must be given.
+
+    Kinds: number, integer, text, flag; vector (three numbers), position (z may be the word seabed), numbers (a list);
+    curve (a number, or x and y, or a file); end (of a line); `one of a, b`; and for nested objects of this schema their
+    name, `list of name` and `map of name`.
+    """
+
+    kind: str
+    unit: str
+    text: str
+    required: bool = False
+
+
+_KIND = "one of fixed, coupled, free, pinned, coupled-pinned"
+
+SCHEMA: dict[str, dict[str, Key]] = {
+    "model": {
+        "moorage": Key("integer", "-", "version of this format: 1", True),
+        "title": Key("text", "-", "what it is"),
+        "start": Key("one of static, as-given", "-", "state at time 0: equilibrium, or as described"),
+        "output_interval": Key("number", "s", "time between results"),
+        "environment": Key("environment", "-", "water and seabed", True),
+        "line_types": Key("map of line type", "-", "properties for each metre of line, by name"),
+        "points": Key("list of point", "-", "where lines end or meet"),
+        "lines": Key("list of line", "-", "lines, each of one or more sections"),
+        "rod_types": Key("map of rod type", "-", "properties of rods, by name"),
+        "rods": Key("list of rod", "-", "rigid cylinders"),
+        "bodies": Key("list of body", "-", "rigid bodies"),
+        "failures": Key("list of failure", "-", "lines that come off"),
+        "controls": Key("list of control", "-", "lines whose length follows a channel"),
+        "external_loads": Key("list of external load", "-", "constant forces and dampers"),
+        "outputs": Key("texts", "-", "output channels by MoorDyn's names"),
+    },
+    "environment": {
+        "water_depth": Key("number", "m", "depth of a flat seabed, reference depth of an uneven one", True),
+        "gravity": Key("number", "m/s2", "acceleration of gravity"),
+        "water_density": Key("number", "kg/m3", "density of water"),
+        "seabed_stiffness": Key("number", "Pa/m", "stiffness on the projected area d l of a line"),
+        "seabed_damping": Key("number", "Pa s/m", "damping on the projected area d l of a line"),
+        "friction": Key("friction", "-", "saturated-damping friction of the seabed"),
+        "bathymetry": Key("bathymetry", "-", "depths on a rectangular grid"),
+        "current": Key("current", "-", "steady current by level"),
+        "waves": Key("waves", "-", "a sea as MoorDyn's options name it"),
+    },
+    "friction": {
+        "transverse": Key("number", "-", "kinetic coefficient across the line"),
+        "axial": Key("number", "-", "kinetic coefficient along the line"),
+        "static_ratio": Key("number", "-", "static over kinetic coefficient"),
+        "damping": Key("number", "N s/m", "slope of the ramp for a node and a coefficient of 1"),
+    },
+    "bathymetry": {
+        "x": Key("numbers", "m", "grid in x, increasing", True),
+        "y": Key("numbers", "m", "grid in y, increasing", True),
+        "depth": Key("table", "m", "one row for each x: depths at every y, positive", True),
+    },
+    "current": {
+        "z": Key("numbers", "m", "levels, increasing, negative below the water", True),
+        "velocity": Key("table", "m/s", "x, y and z component at each level", True),
+    },
+    "waves": {
+        "option": Key("text", "-", "MoorDyn's option: WaveKin, WaterKin or Currents", True),
+        "value": Key("text", "-", "its value", True),
+        "settings": Key("pairs", "-", "options beside it"),
+    },
+    "line type": {
+        "diameter": Key("number", "m", "volume-equivalent diameter", True),
+        "mass_per_length": Key("number", "kg/m", "mass in air", True),
+        "axial_stiffness": Key("curve", "N", "EA, or tension against strain", True),
+        "axial_damping": Key("curve", "N s", "BA, or tension against strain rate"),
+        "axial_damping_ratio": Key("number", "-", "fraction of a segment's critical damping, instead of axial_damping"),
+        "bending_stiffness": Key("curve", "N m2", "EI, or moment (N m) against curvature (1/m)"),
+        "bending_damping": Key("number", "N m2 s", "internal damping in bending"),
+        "transverse_drag": Key("number", "-", "Cd on d l"),
+        "tangential_drag": Key("number", "-", "CdAx on pi d l"),
+        "transverse_added_mass": Key("number", "-", "Ca on the displaced mass"),
+        "tangential_added_mass": Key("number", "-", "CaAx on the displaced mass"),
+        "lift_coefficient": Key("number", "-", "Cl of vortex-induced vibration; 0 switches it off"),
+        "viv_range": Key("number", "-", "dF of vortex-induced vibration"),
+        "viv_centre": Key("number", "-", "cF of vortex-induced vibration"),
+        "minimum_bend_radius": Key("number", "m", "allowed bend radius"),
+        "viscoelastic": Key("numbers", "N, -", "dynamic stiffness: EA_d, or c and m of EA_d = c + m T_mean"),
+        "dynamic_damping": Key("number", "N s", "damping in series with the dynamic stiffness"),
+        "syrope": Key("text", "-", "file of Syrope working curves"),
+    },
+    "point": {
+        "id": Key("integer", "-", "number", True),
+        "name": Key("text", "-", "name, by which lines may call it"),
+        "kind": Key("one of fixed, coupled, free", "-", "held, moved by a motion, or moved by forces", True),
+        "position": Key("position", "m", "x, y, z (or seabed); relative to body or turbine when one is given", True),
+        "mass": Key("number", "kg", "mass"),
+        "volume": Key("number", "m3", "displaced volume"),
+        "drag_area": Key("number", "m2", "CdA in all directions"),
+        "added_mass": Key("number", "-", "Ca on the displaced mass"),
+        "external_force": Key("vector", "N", "constant force"),
+        "body": Key("integer", "-", "body that carries it"),
+        "turbine": Key("integer", "-", "turbine that it is coupled to"),
+    },
+    "line": {
+        "id": Key("integer", "-", "number", True),
+        "name": Key("text", "-", "name"),
+        "end_a": Key("end", "-", "point (number or name) or `rod 1 A`", True),
+        "end_b": Key("end", "-", "point (number or name) or `rod 1 B`", True),
+        "sections": Key("list of section", "-", "stretches of one type, from end A to end B", True),
+        "outputs": Key("text", "-", "MoorDyn's letters of its own output file"),
+        "syrope_tensions": Key("numbers", "N", "highest and present mean tension at the start"),
+    },
+    "section": {
+        "line_type": Key("text", "-", "name of a line type", True),
+        "length": Key("number", "m", "unstretched length", True),
+        "segments": Key("integer", "-", "number of equal segments", True),
+    },
+    "rod type": {
+        "diameter": Key("number", "m", "diameter", True),
+        "mass_per_length": Key("number", "kg/m", "mass in air", True),
+        "transverse_drag": Key("number", "-", "Cd of the side"),
+        "transverse_added_mass": Key("number", "-", "Ca of the side"),
+        "end_drag": Key("number", "-", "Cd of an end"),
+        "end_added_mass": Key("number", "-", "Ca of an end"),
+    },
+    "rod": {
+        "id": Key("integer", "-", "number", True),
+        "name": Key("text", "-", "name"),
+        "rod_type": Key("text", "-", "name of a rod type", True),
+        "kind": Key(_KIND, "-", "how it is held", True),
+        "end_a": Key("vector", "m", "end A", True),
+        "end_b": Key("vector", "m", "end B; for a rod without length, a point that it looks at", True),
+        "segments": Key("integer", "-", "number of segments, 0 for a rod without length", True),
+        "body": Key("integer", "-", "body that carries it"),
+        "turbine": Key("integer", "-", "turbine that it is coupled to"),
+        "outputs": Key("text", "-", "MoorDyn's letters of its own output file"),
+    },
+    "body": {
+        "id": Key("integer", "-", "number", True),
+        "name": Key("text", "-", "name"),
+        "kind": Key(_KIND, "-", "how it is held", True),
+        "position": Key("vector", "m", "reference point", True),
+        "rotation": Key("vector", "rad", "intrinsic XYZ angles"),
+        "mass": Key("number", "kg", "mass without what it carries"),
+        "centre_of_gravity": Key("vector", "m", "from the reference point"),
+        "inertia": Key("vector", "kg m2", "diagonal about the centre of gravity"),
+        "volume": Key("number", "m3", "displaced volume"),
+        "drag_area": Key("numbers", "m2, m5", "CdA of six components"),
+        "added_mass": Key("numbers", "-", "Ca of six components"),
+        "turbine": Key("integer", "-", "turbine that it is coupled to"),
+    },
+    "failure": {
+        "id": Key("integer", "-", "number", True),
+        "attachment": Key("end", "-", "point or rod end that lines come off", True),
+        "lines": Key("integers", "-", "lines that come off", True),
+        "time": Key("number", "s", "when; 0 for never"),
+        "tension": Key("number", "N", "at which tension; 0 for never"),
+    },
+    "control": {
+        "channel": Key("integer", "-", "control channel", True),
+        "lines": Key("integers", "-", "lines that follow it", True),
+    },
+    "external load": {
+        "id": Key("integer", "-", "number", True),
+        "target": Key("one of body, rod, point", "-", "what it acts on", True),
+        "target_id": Key("integer", "-", "its number", True),
+        "force": Key("vector", "N", "constant force"),
+        "linear_damping": Key("numbers", "N s/m", "for each axis; transverse and axial for a rod"),
+        "quadratic_damping": Key("numbers", "N s2/m2", "for each axis; transverse and axial for a rod"),
+        "local": Key("flag", "-", "in the object's axes"),
+    },
+}
