@@ -133,20 +133,23 @@ def _looks_like_data(units: Row | None, keys: list[str], columns: tuple[Column, 
 
 
 def _report(table: Table, keys: list[str], columns: tuple[Column, ...]) -> None:
+    """Warn once when MoorDyn would read other values, or when a column is not read."""
     assert table.header is not None
     stray = [name for name, key in zip(table.header.words, keys, strict=True) if not key]
-    if stray:
-        warnings.warn(
-            f"{table.header.source}: column {', '.join(stray)} of {table.name.upper()} is not known and not read",
-            ModelWarning,
-            stacklevel=2,
-        )
     standard = [column.key for column in columns if not column.optional]
-    named = [key for key in keys if key in standard]
-    if named != standard or (stray and keys[: len(standard)] != standard):
-        warnings.warn(
-            f"{table.header.source}: columns of {table.name.upper()} are read by their names "
-            f"({' '.join(table.header.words)}); MoorDyn v2 reads {' '.join(standard)} by position",
-            ModelWarning,
-            stacklevel=2,
+    said = []
+    if stray:
+        said.append(f"column {', '.join(stray)} of {table.name.upper()} is not known and not read")
+    if keys[: len(standard)] != standard and not _has_optional_between(keys, columns):
+        names = " ".join(table.header.words)
+        said.append(
+            f"columns of {table.name.upper()} are read by their names ({names}); "
+            f"MoorDyn v2 reads {' '.join(standard)} by position"
         )
+    if said:
+        warnings.warn(f"{table.header.source}: {'; '.join(said)}", ModelWarning, stacklevel=2)
+
+
+def _has_optional_between(keys: list[str], columns: tuple[Column, ...]) -> bool:
+    """Return whether the columns stand in order, with optional ones (forces on points) among them."""
+    return keys == [column.key for column in columns if column.key in keys]

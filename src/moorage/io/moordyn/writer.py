@@ -110,7 +110,8 @@ def _value(value: float | Curve, stem: str, path: Path) -> str:
         return number(value)
     name = re.sub(r"[^A-Za-z0-9_.-]", "_", f"{stem}_{path.stem}.txt").replace("---", "_")
     rows = [f"{number(x)} {number(y)}" for x, y in zip(value.x, value.y, strict=True)]
-    (path.parent / name).write_text("\n".join([f"Table of {stem}", "x y", "(-) (-)", *rows]) + "\n", "utf-8")
+    table_text = "\n".join([f"Table of {stem}", "x y", "(-) (-)", *rows])  # MoorDyn-C refuses a newline at the end
+    (path.parent / name).write_text(table_text, "utf-8")
     return name
 
 
