@@ -32,7 +32,7 @@ def _counts_references() -> bool:
     if os.environ.get("MOORAGE_NRT") == "1":
         return True
     try:
-        numba.njit(lambda x: x, _nrt=False)(1)
+        numba.njit(**{"_nrt": False})(lambda x: x)(1)  # type: ignore[call-overload]
     except Exception:  # any complaint about an option that we do not own
         return True
     return False
@@ -70,7 +70,7 @@ def _cache_folder() -> pathlib.Path:
 
 
 CACHE = _cache_folder()
-numba.config.CACHE_DIR = str(CACHE)
+numba.config.CACHE_DIR = str(CACHE)  # type: ignore[attr-defined]
 
 
 def is_cold() -> bool:

@@ -1,6 +1,7 @@
 """Vectors as 3-tuples and 3x3 blocks as tuples of scalars: they live in registers and cost nothing.
 
-Rows are indexed by unsigned integers, which spares numba's test for negative ones. A symmetric block is (xx, xy, xz, yy, yz, zz); a general block is its nine entries row by row.
+Rows are indexed by unsigned integers, which spares numba's test for negative ones. A symmetric block is
+(xx, xy, xz, yy, yz, zz); a general block is its nine entries row by row.
 """
 
 import math
@@ -247,3 +248,21 @@ def mat_t_mat(m, n):
 def mat_mat(m, n):
     """M N."""
     return mat_mat_t(m, mat_transpose(n))
+
+
+@inlined
+def sym_sym(s, t):
+    """S T of two symmetric blocks, a general one."""
+    x = sym_times(t, (s[0], s[1], s[2]))
+    y = sym_times(t, (s[1], s[3], s[4]))
+    z = sym_times(t, (s[2], s[4], s[5]))
+    return x[0], x[1], x[2], y[0], y[1], y[2], z[0], z[1], z[2]
+
+
+@inlined
+def mat_sym_sym(m, s):
+    """M S with S symmetric, when the product is known to be symmetric."""
+    x = sym_times(s, (m[0], m[1], m[2]))
+    y = sym_times(s, (m[3], m[4], m[5]))
+    z = sym_times(s, (m[6], m[7], m[8]))
+    return x[0], x[1], x[2], y[1], y[2], z[2]

@@ -11,11 +11,23 @@ import numpy as np
 
 from moorage._jit import inlined
 from moorage._vec3 import (
-    add, dot, isotropic_plus, mat_sub, mat_transpose, scale, sub, sym_add, sym_outer, sym_sub, sym_to_general,
+    add,
+    dot,
+    isotropic_plus,
+    mat_sub,
+    mat_transpose,
+    scale,
+    sub,
+    sym_add,
+    sym_outer,
+    sym_sub,
+    sym_to_general,
 )  # fmt: skip
 
 
 class Bending(NamedTuple):
+    """Parameters of the nodes."""
+
     stiffness: np.ndarray  # (nodes,) EI / l, N m; zero at the ends of a line
 
 

@@ -46,7 +46,9 @@ def catenary(span: float, rise: float, length: float, stiffness: float, weight: 
     if grounded and length >= span - compliance + np.sqrt(compliance**2 + 2.0 * rise * compliance):
         return None
     forces = _solve(span, rise, length, stiffness, weight, grounded)
-    return None if forces is None else _shape(*forces, length, stiffness, weight, arc, grounded)
+    if forces is None:
+        return None
+    return _shape(forces[0], forces[1], length, stiffness, weight, arc, grounded)
 
 
 def _shape(H, V, L, EA, w, s, grounded):
@@ -62,9 +64,9 @@ def _shape(H, V, L, EA, w, s, grounded):
 def _solve(X, Z, L, EA, w, grounded, tolerance=1e-9):
     """Tension components (H, V) at the upper end: Newton in (log H, V), shortened until the error falls."""
     chord = np.hypot(X, Z)
-    slackness = 0.2 if L <= chord else np.sqrt(3.0 * max((L**2 - Z**2) / X**2 - 1.0, 1e-6))
+    slackness = 0.2 if chord >= L else np.sqrt(3.0 * max((L**2 - Z**2) / X**2 - 1.0, 1e-6))
     H, V = max(abs(0.5 * w * X / slackness), 1e-3 * w * L), 0.5 * w * (Z / np.tanh(slackness) + L)
-    if L < chord:  # taut: the elastic chord is the better guess
+    if chord > L:  # taut: the elastic chord is the better guess
         pull = EA * (chord / L - 1.0)
         H, V = max(pull * X / chord, H), max(pull * Z / chord + 0.5 * w * L, V)
 
@@ -79,7 +81,9 @@ def _solve(X, Z, L, EA, w, grounded, tolerance=1e-9):
         if size < tolerance * L:
             return float(np.exp(u[0])), float(u[1])
         steps = np.array([1e-7, 1e-7 * max(abs(u[1]), w * L)])
-        J = np.array([(miss(*(u + d)) - miss(*(u - d))) / (2.0 * k) for d, k in zip(np.diag(steps), steps, strict=True)]).T
+        J = np.array(
+            [(miss(*(u + d)) - miss(*(u - d))) / (2.0 * k) for d, k in zip(np.diag(steps), steps, strict=True)]
+        ).T
         try:
             increment = -np.linalg.solve(J, error)
         except np.linalg.LinAlgError:

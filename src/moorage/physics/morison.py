@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from moorage._jit import inlined
-from moorage._vec3 import add, dot, isotropic_plus, scale, sub, sym_add
+from moorage._vec3 import add, dot, isotropic_plus, scale, sub
 
 
 class Morison(NamedTuple):
@@ -45,19 +45,41 @@ def wet_part(p, i, j0, share0, j1, share1):
 
 @inlined
 def inertia_terms(normal, axial, q, a, c):
-    """Force -M a on a node of transverse and axial mass (kg), and the block c.mass M."""
+    """Force -M a on a node of transverse and axial mass (kg), and its block c.mass M.
+
+    The block is (x, y) for x I + y q q^T.
+    """
     extra = axial - normal
     force = add(scale(-normal, a), scale(-extra * dot(a, q), q))
-    return force, isotropic_plus(c.mass * normal, c.mass * extra, q)
+    return force, (c.mass * normal, c.mass * extra)
 
 
 @inlined
 def drag_terms(normal, axial, q, u, c):
-    """Drag on a node that moves with u (m/s) through the water, and its block (q is held in the block)."""
+    """Drag on a node that moves with u (m/s) through the water, and its block, with q held.
+
+    The block is (x, y, z, u_t) for x I + y q q^T + z u_t u_t^T.
+    """
     uq = dot(u, q)
     ut = sub(u, scale(uq, q))
     speed = math.sqrt(dot(ut, ut))
     kn, kt = normal * speed, axial * abs(uq)
     force = add(scale(-kn, ut), scale(-kt * uq, q))
-    along_flow = isotropic_plus(0.0, c.damping * normal / (speed + 1e-9), ut)
-    return force, sym_add(isotropic_plus(c.damping * kn, c.damping * (2.0 * kt - kn), q), along_flow)
+    along_flow = c.damping * normal / (speed + 1e-9)
+    return force, (c.damping * kn, c.damping * (2.0 * kt - kn), along_flow, ut)
+
+
+@inlined
+def hydro_block(inertia, drag, q):
+    """Sum of the blocks of inertia and drag."""
+    x, y, z, ut = drag
+    block = isotropic_plus(inertia[0] + x, inertia[1] + y, q)
+    w = scale(z, ut)
+    return (
+        block[0] + w[0] * ut[0],
+        block[1] + w[0] * ut[1],
+        block[2] + w[0] * ut[2],
+        block[3] + w[1] * ut[1],
+        block[4] + w[1] * ut[2],
+        block[5] + w[2] * ut[2],
+    )

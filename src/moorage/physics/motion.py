@@ -61,7 +61,7 @@ def cubic(a, b, c, d, s):
 
 @kernel
 def sample_track(p, point, times, position, velocity, acceleration):
-    """Fill (n, 3) arrays with the motion of a prescribed point at times (n,)."""
+    """Fill (n, 3) arrays (any strides) with the motion of a prescribed point at times (n,)."""
     for k in range(len(times)):
         r, v, a = follow(p, point, times[k])
         for x in range(3):

@@ -1,7 +1,7 @@
 """Loads on a point by itself: weight, buoyancy, a constant force, isotropic added mass and drag.
 
-Buoyancy and hydrodynamics act on the wet fraction of a sphere of the point's volume, (1 - s)^2 (2 + s) / 4 at the centre's
-height s in radii above the surface; MoorDyn keeps them in air too, so that a float would leave the sea.
+Buoyancy and hydrodynamics act on the wet fraction of a sphere of the point's volume, (1 - s)^2 (2 + s) / 4 at the
+centre's height s in radii above the surface; MoorDyn keeps them in air too, so that a float would leave the sea.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from moorage._jit import inlined
+from moorage._jit import inlined, kernel
 from moorage._vec3 import add, dot, isotropic_plus, scale, sub
 from moorage.physics.current import current_at
 
@@ -51,3 +51,13 @@ def point_terms(p, current, k, r, v, a, c):
     block = isotropic_plus(c.mass * mass + c.damping * drag * speed, c.damping * drag / (speed + 1e-9), u)
     total = force[0] + p.force[k, 0], force[1] + p.force[k, 1], force[2] + p.force[k, 2] + lift
     return total, (block[0], block[1], block[2], block[3], block[4], block[5] - c.stiffness * slope * p.buoyancy[k])
+
+
+@kernel
+def sample_loads(p, current, k, position, velocity, c, force):
+    """Fill (n, 3) with the force on point k by itself, without inertia, at (n, 3) positions and velocities."""
+    for row in range(len(force)):
+        r = position[row, 0], position[row, 1], position[row, 2]
+        v = velocity[row, 0], velocity[row, 1], velocity[row, 2]
+        f = point_terms(p, current, k, r, v, (0.0, 0.0, 0.0), c)[0]
+        force[row, 0], force[row, 1], force[row, 2] = f

@@ -1,4 +1,4 @@
-"""Flat seabed: a linear spring and damper upwards, F_n = [(z_b - z) k_b - c_b v_z] d l (Housner et al. 2022, equation 3).
+"""Flat seabed: linear spring and damper upwards, F_n = [(z_b - z) k_b - c_b v_z] d l (Housner et al. 2022, equation 3).
 
 As written the damper switches on with a jump when a node touches the bed, and then some implicit steps have no solution
 at all. Here the damper acts for the fraction of the step that the node spends in contact. That is continuous in the

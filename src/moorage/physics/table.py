@@ -27,8 +27,15 @@ def build_tables(curves) -> Tables:
 
 @inlined
 def interval(x, begin, end, value):
-    """Index k in begin..end-2 with x[k] <= value < x[k+1], or the nearest interval."""
+    """Index k in begin..end-2 with x[k] <= value < x[k+1], or the nearest interval.
+
+    A regular table is hit by the first guess, any other is searched by bisection.
+    """
     low, high = begin, end - 1
+    guess = low + int((value - x[low]) / (x[high] - x[low]) * (high - low))
+    guess = min(max(guess, low), high - 1)
+    if x[guess] <= value < x[guess + 1]:
+        return guess
     while high - low > 1:
         middle = (low + high) // 2
         if x[middle] <= value:

@@ -7,12 +7,32 @@ upwards; each pivot is replaced by its inverse, and what remains is the small de
     [ start[last]  own[last]     ] [x_last ] = [f_last ]      (first row only if end A is free)
 """
 
-from moorage._jit import kernel
-from moorage.layout import line_nodes
+from moorage._jit import inlined, kernel
 from moorage._vec3 import (
-    get, mat_get, mat_mat, mat_mat_t, mat_mat_t_sym, mat_put, mat_sub, mat_sym, mat_t_mat, mat_t_times, mat_times, put,
-    sub, sym_get, sym_inverse, sym_put, sym_sub, sym_times, sym_to_general,
+    get,
+    mat_get,
+    mat_mat,
+    mat_mat_t,
+    mat_mat_t_sym,
+    mat_put,
+    mat_sub,
+    mat_sym,
+    mat_sym_sym,
+    mat_t_mat,
+    mat_t_times,
+    mat_times,
+    put,
+    sub,
+    sym_get,
+    sym_inverse,
+    sym_put,
+    sym_sub,
+    sym_sym,
+    sym_times,
+    sym_to_general,
 )  # fmt: skip
+from moorage.layout import line_nodes
+from moorage.system.assemble import begin_walk, walk
 
 
 @kernel
@@ -106,3 +126,40 @@ def back_substitute(lines, work, line, start_is_free):
             f = sub(f, mat_times(mat_get(S.start, i), x0))
         x1, x2 = sym_times(sym_get(S.own, i), f), x1
         put(x, i, x1)
+
+
+@inlined
+def assemble_and_reduce(system, state, before, work, line, c):
+    """Do the work of `assemble_line` and `eliminate_tridiagonal` in one walk, for a line that does not bend.
+
+    Elimination waits for the result of the node before, assembly does not: side by side the processor does both at
+    once. Leaves inverse times force in `force` and P = S[i+1, i] inverse in `next`, all that `substitute` needs.
+    """
+    first, last = line_nodes(system.lines, line)
+    own, next = work.blocks.own, work.blocks.next
+    force, D, E, carried = walk(system, state, before, line, first, last, begin_walk(first - line), c)
+    put(work.force, first, force)
+    sym_put(own, first, D)
+    mat_put(next, first, sym_to_general(E))
+    f, D, E, carried = walk(system, state, before, line, first + 1, last, carried, c)
+    for i in range(first + 1, last):
+        f1, D1, E1, carried = walk(system, state, before, line, i + 1, last, carried, c)
+        inverse = sym_inverse(D)
+        P = sym_sym(E, inverse)
+        put(work.force, i, sym_times(inverse, f))
+        mat_put(next, i, P)
+        D = sym_sub(D1, mat_sym_sym(P, E))
+        f = sub(f1, mat_times(P, f))
+        E = E1
+    sym_put(own, last, D)
+    put(work.force, last, f)
+
+
+@inlined
+def substitute(lines, work, line):
+    """Fill the increments of the interior after `assemble_and_reduce`; that of the last node is known."""
+    first, last = line_nodes(lines, line)
+    x = get(work.increment, last)
+    for i in range(last - 1, first, -1):
+        x = sub(get(work.force, i), mat_t_times(mat_get(work.blocks.next, i), x))
+        put(work.increment, i, x)

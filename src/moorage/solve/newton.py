@@ -9,7 +9,7 @@ from moorage._vec3 import accumulate, add, dot, get, put, scale
 from moorage.layout import line_nodes, point_row
 from moorage.physics.point import point_terms
 from moorage.solve.junction import solve_junctions
-from moorage.solve.line_solve import back_substitute, reduce_line
+from moorage.solve.line_solve import assemble_and_reduce, back_substitute, reduce_line, substitute
 from moorage.system.assemble import assemble_line
 from moorage.system.attach import copy_free_ends
 
@@ -20,6 +20,38 @@ def assemble_island(system, state, before, work, island, c):
     islands = system.islands
     for k in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
         assemble_line(system, state, before, work, islands.lines[k], c)
+
+
+@inlined
+def newton_island(system, state, before, work, island, c):
+    """Assemble and solve S x = force for an island in as few walks as its lines allow."""
+    lines, islands = system.lines, system.islands
+    l0, l1 = islands.line_ptr[island], islands.line_ptr[island + 1]
+    for k in range(l0, l1):
+        line = islands.lines[k]
+        first, last = line_nodes(lines, line)
+        put(work.increment, first, (0.0, 0.0, 0.0))
+        put(work.increment, last, (0.0, 0.0, 0.0))
+        if walks_once(lines, line):
+            assemble_and_reduce(system, state, before, work, line, c)
+        else:
+            assemble_line(system, state, before, work, line, c)
+            reduce_line(lines, work, line, lines.end_unknown[line, 0] >= 0)
+    if islands.point_ptr[island + 1] > islands.point_ptr[island]:
+        solve_junctions(system, state, work, island, c)
+        copy_free_ends(lines, islands, island, work.increment)
+    for k in range(l0, l1):
+        line = islands.lines[k]
+        if walks_once(lines, line):
+            substitute(lines, work, line)
+        else:
+            back_substitute(lines, work, line, lines.end_unknown[line, 0] >= 0)
+
+
+@inlined
+def walks_once(lines, line):
+    """Whether a line's matrix is block tridiagonal with a prescribed end A."""
+    return lines.end_unknown[line, 0] < 0 and not lines.bends[line]
 
 
 @kernel
@@ -78,7 +110,7 @@ def largest_imbalance(system, state, work, island, c):
     return math.sqrt(worst), where, total
 
 
-@kernel
+@inlined
 def shift(system, state, work, island, on_position, on_velocity, on_acceleration):
     """Add multiples of the increment to an island's state.
 

@@ -13,7 +13,7 @@ import numpy as np
 from moorage._jit import inlined, kernel
 from moorage._vec3 import add, get, put, scale, sub
 from moorage.layout import Weights, line_nodes, point_row
-from moorage.physics.morison import wet_node, wet_part
+from moorage.physics.morison import inertia_terms, wet_node, wet_part
 from moorage.physics.tension import segment_tension, tension_terms
 from moorage.physics.weight import wet_shares
 from moorage.system.assemble import SURFACE, node_terms, unit_or_zero
@@ -65,8 +65,8 @@ def spans(state, i):
 
 
 @inlined
-def node_force(system, state, line, i, a):
-    """Force of all terms on node i of a line whose acceleration is taken to be `a`, N (bending left out)."""
+def node_force(system, state, line, i):
+    """Force of all terms but inertia on node i of a line, and its inertia force -M a, N (bending left out)."""
     first, last = line_nodes(system.lines, line)
     r, v = get(state.position, i), get(state.velocity, i)
     c = Weights(0.0, 0.0, 0.0)
@@ -86,25 +86,30 @@ def node_force(system, state, line, i, a):
         share1 = wet_shares(system.weight.radius[j1], height, height + e1[2])[0]
         lift += share1 * system.weight.buoyancy[j1]
     n = np.uintp(i)
-    hydro = wet_node(system.morison, n) if share0 + share1 == 1.0 else wet_part(system.morison, n, j0, share0, j1, share1)
+    hydro = (
+        wet_node(system.morison, n) if share0 + share1 == 1.0 else wet_part(system.morison, n, j0, share0, j1, share1)
+    )
     q = unit_or_zero(add(e0, e1))
-    force = add(pull, node_terms(system, n, hydro, q, r, v, a, r[2], c)[0])
-    return force[0], force[1], force[2] + lift
+    rest = (0.0, 0.0, 0.0)
+    force = add(pull, node_terms(system, n, hydro, q, r, v, rest, r[2], c)[0])
+    mass = system.morison.mass[n]
+    inertia = inertia_terms(mass + hydro[0], mass + hydro[1], q, get(state.acceleration, i), c)[0]
+    return (force[0], force[1], force[2] + lift), inertia
 
 
-@kernel
+@inlined
 def sample_island(system, state, island, sample):
     """Evaluate the columns of all lines of an island at one state."""
     islands = system.islands
     for m in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
         line = islands.lines[m]
         first, last = line_nodes(system.lines, line)
-        a_first, a_last = get(state.acceleration, first), get(state.acceleration, last)
-        rest = (0.0, 0.0, 0.0)
-        put_row(sample, line, FORCE_A, node_force(system, state, line, first, a_first))
-        put_row(sample, line, FORCE_B, node_force(system, state, line, last, a_last))
-        put_row(sample, line, LOAD_A, node_force(system, state, line, first, rest))
-        put_row(sample, line, LOAD_B, node_force(system, state, line, last, rest))
+        load, inertia = node_force(system, state, line, first)
+        put_row(sample, line, LOAD_A, load)
+        put_row(sample, line, FORCE_A, add(load, inertia))
+        load, inertia = node_force(system, state, line, last)
+        put_row(sample, line, LOAD_B, load)
+        put_row(sample, line, FORCE_B, add(load, inertia))
         lowest, grounded, tension = 1e300, 0.0, 0.0
         below = depth_at(system, state, first)
         for i in range(first, last):
@@ -156,7 +161,7 @@ def mix(s, u, v):
     return add(scale(1.0 - s, u), scale(s, v))
 
 
-@kernel
+@inlined
 def record_lines(system, old, now, island, before, after, h, s, record, row):
     """Write the output of one time, at the fraction s of the step from `old` to `now` of length h."""
     lines, islands = system.lines, system.islands
@@ -179,7 +184,6 @@ def record_lines(system, old, now, island, before, after, h, s, record, row):
 @kernel
 def record_watched(system, old, now, island_of_line, island, h, s, record, row):
     """Write the watched nodes of an island."""
-    rest = (0.0, 0.0, 0.0)
     for w in range(len(record.watched)):
         line = record.watched[w, 0]
         if island_of_line[line] != island:
@@ -189,7 +193,7 @@ def record_watched(system, old, now, island_of_line, island, h, s, record, row):
         v0, v1 = get(old.velocity, i), get(now.velocity, i)
         r = hermite(get(old.position, i), v0, get(now.position, i), v1, h, s)
         v = mix(s, v0, v1)
-        f = mix(s, node_force(system, old, line, i, rest), node_force(system, now, line, i, rest))
+        f = mix(s, node_force(system, old, line, i)[0], node_force(system, now, line, i)[0])
         t = (1.0 - s) * node_tension(system, old, line, i) + s * node_tension(system, now, line, i)
         for x in range(3):
             record.watch[row, w, POSITION + x] = r[x]

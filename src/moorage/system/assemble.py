@@ -12,13 +12,26 @@ import numpy as np
 
 from moorage._jit import inlined, kernel
 from moorage._vec3 import (
-    accumulate, add, dot, get, mat_accumulate, mat_put, mat_scale, put, scale, sub, sym_accumulate, sym_add, sym_put,
-    sym_scale, sym_to_general,
+    accumulate,
+    add,
+    dot,
+    get,
+    mat_accumulate,
+    mat_put,
+    mat_scale,
+    put,
+    scale,
+    sub,
+    sym_accumulate,
+    sym_add,
+    sym_put,
+    sym_scale,
+    sym_to_general,
 )  # fmt: skip
 from moorage.layout import line_nodes
 from moorage.physics.bending import bending_terms, node_blocks
 from moorage.physics.current import current_at
-from moorage.physics.morison import drag_terms, inertia_terms, wet_node, wet_part
+from moorage.physics.morison import drag_terms, hydro_block, inertia_terms, wet_node, wet_part
 from moorage.physics.seabed import seabed_terms
 from moorage.physics.tension import tension_terms
 from moorage.physics.weight import wet_shares
@@ -32,40 +45,56 @@ SURFACE = 0.0  # z of the still water
 def assemble_line(system, state, before, work, line, c):
     """Set force and blocks of all nodes of a line; c: the weights of mass, damping and stiffness in the matrix.
 
-    Walks from end A to end B; what the segment before a node gave it is carried along. `before` holds the positions at
-    the start of the step, (rows, 3).
+    `before` holds the positions at the start of the step, (rows, 3).
     """
     first, last = line_nodes(system.lines, line)
-    e_before, pull_before, block_before = ZERO3, ZERO3, ZERO6
-    share_before, lift_before, sink_before = 0.5, 0.0, 0.0  # wet share, its buoyancy, and minus that one's slope in z
-    j_before = np.uintp(first - line)
+    carried = begin_walk(first - line)
     for i in range(first, last + 1):
-        n, j = np.uintp(i), j_before
-        r, v = get(state.position, i), get(state.velocity, i)
-        e, pull, block = ZERO3, ZERO3, ZERO6
-        share, share_far, d00, d01, d11, buoyancy = 0.5, 0.5, 0.0, 0.0, 0.0, 0.0
-        if i < last:
-            j = np.uintp(i - line)
-            e, de = sub(get(state.position, i + 1), r), sub(get(state.velocity, i + 1), v)
-            pull, block = tension_terms(system.tension, j, e, de, c)
-            height = r[2] - SURFACE
-            share, share_far, d00, d01, d11 = wet_shares(system.weight.radius[j], height, height + e[2])
-            buoyancy = system.weight.buoyancy[j]
-        if share_before + share == 1.0:
-            hydro = wet_node(system.morison, n)
-        else:
-            hydro = wet_part(system.morison, n, j_before, share_before, j, share)
-        q = unit_or_zero(add(e_before, e))
-        force, own = node_terms(system, n, hydro, q, r, v, get(state.acceleration, i), before[n, 2], c)
-        force = force[0], force[1], force[2] + lift_before + share * buoyancy
-        put(work.force, i, add(force, sub(pull, pull_before)))
-        sink = c.stiffness * buoyancy
-        sym_put(work.blocks.own, i, add_zz(sym_add(own, sym_add(block, block_before)), -sink_before - sink * d00))
-        mat_put(work.blocks.next, i, sym_to_general(add_zz(sym_scale(-1.0, block), -sink * d01)))
-        e_before, pull_before, block_before, j_before = e, pull, block, j
-        share_before, lift_before, sink_before = share_far, share_far * buoyancy, sink * d11
+        force, own, coupling, carried = walk(system, state, before, line, i, last, carried, c)
+        put(work.force, i, force)
+        sym_put(work.blocks.own, i, own)
+        mat_put(work.blocks.next, i, sym_to_general(coupling))
     if system.lines.bends[line]:
         add_bending(system.bending, state, work, first, last, c)
+
+
+@inlined
+def begin_walk(j):
+    """What is carried to the first node of a line, whose first segment is j."""
+    return ZERO3, ZERO3, ZERO6, 0.5, 0.0, 0.0, np.uintp(j)
+
+
+@inlined
+def walk(system, state, before, line, i, last, carried, c):
+    """One step of the walk from end A to end B, at node i, bending left out.
+
+    Returns the node's force, its own block, its coupling to the next node (symmetric) and what is carried there: of the
+    segment between them its vector, pull, block, wet share, buoyancy, minus the slope of that in z, and number.
+    """
+    e_before, pull_before, block_before, share_before, lift_before, sink_before, j_before = carried
+    n, j = np.uintp(i), j_before
+    r, v = get(state.position, i), get(state.velocity, i)
+    e, pull, block = ZERO3, ZERO3, ZERO6
+    share, share_far, d00, d01, d11, buoyancy = 0.5, 0.5, 0.0, 0.0, 0.0, 0.0
+    if i < last:
+        j = np.uintp(i - line)
+        e, de = sub(get(state.position, i + 1), r), sub(get(state.velocity, i + 1), v)
+        pull, block = tension_terms(system.tension, j, e, de, c)
+        height = r[2] - SURFACE
+        share, share_far, d00, d01, d11 = wet_shares(system.weight.radius[j], height, height + e[2])
+        buoyancy = system.weight.buoyancy[j]
+    if share_before + share == 1.0:
+        hydro = wet_node(system.morison, n)
+    else:
+        hydro = wet_part(system.morison, n, j_before, share_before, j, share)
+    q = unit_or_zero(add(e_before, e))
+    force, own = node_terms(system, n, hydro, q, r, v, get(state.acceleration, i), before[n, 2], c)
+    force = add(force, sub(pull, pull_before))
+    force = force[0], force[1], force[2] + lift_before + share * buoyancy
+    sink = c.stiffness * buoyancy
+    own = add_zz(sym_add(own, sym_add(block, block_before)), -sink_before - sink * d00)
+    coupling = add_zz(sym_scale(-1.0, block), -sink * d01)
+    return force, own, coupling, (e, pull, block, share_far, share_far * buoyancy, sink * d11, j)
 
 
 @inlined
@@ -91,7 +120,7 @@ def node_terms(system, i, hydro, q, r, v, a, z_before, c):
     bed, bed_block = seabed_terms(system.seabed, i, r[2], z_before, v[2], c)
     force = add(inertia, drag)
     vertical = system.weight.dry[i] + bed
-    return (force[0], force[1], force[2] + vertical), add_zz(sym_add(inertia_block, drag_block), bed_block)
+    return (force[0], force[1], force[2] + vertical), add_zz(hydro_block(inertia_block, drag_block, q), bed_block)
 
 
 @kernel

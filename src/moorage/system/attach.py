@@ -8,7 +8,7 @@ from moorage.layout import line_nodes, point_row
 from moorage.physics.motion import follow
 
 
-@kernel
+@inlined
 def place_prescribed_ends(system, state, island, t):
     """Put the line ends on prescribed points where these are at time t."""
     lines, islands = system.lines, system.islands

@@ -42,6 +42,7 @@ class Built(NamedTuple):
     work: Work
     names: Names
     island_of_line: np.ndarray  # (lines,)
+    coupled: np.ndarray  # (m,) indices of the points that prescribed motion moves
 
 
 def build(model: Model, motion: Motion | None = None, duration: float | None = None) -> Built:
@@ -98,7 +99,8 @@ def build(model: Model, motion: Motion | None = None, duration: float | None = N
         l,
         arc,
     )
-    return Built(system, state, new_work(system), names, island_of_line)
+    coupled = np.array([k for k, p in enumerate(model.points) if p.kind == "coupled"], dtype=np.int64)
+    return Built(system, state, new_work(system), names, island_of_line, coupled)
 
 
 def with_motion(built: Built, tracks: Tracks) -> Built:

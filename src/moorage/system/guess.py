@@ -19,10 +19,10 @@ def place_guess(model: Model, system: System, state: State, length, weight) -> N
     (N/m) are those of the segments.
     """
     rows = system.lines.node_ptr
-    now, scratch = np.zeros((1, 3)), np.zeros((1, 3))
+    now = np.zeros((1, 9))
     for k in range(len(model.points)):
-        sample_track(system.tracks, k, np.zeros(1), now, scratch, scratch.copy())
-        state.position[rows[-1] + k] = now[0]
+        sample_track(system.tracks, k, np.zeros(1), now[:, 0:3], now[:, 3:6], now[:, 6:9])
+        state.position[rows[-1] + k] = now[0, :3]
     for k in range(len(model.lines)):
         a, b = (state.position[rows[-1] + end] for end in system.lines.end_point[k])
         part = slice(rows[k] - k, rows[k + 1] - k - 1)
@@ -45,4 +45,3 @@ def line_guess(a, b, length, stiffness, weight, bed, flavour) -> np.ndarray:
         return a + np.outer(arc / arc[-1], chord)
     x, z = shape
     return np.column_stack([a[0] + x * chord[0] / span, a[1] + x * chord[1] / span, a[2] + z])
-

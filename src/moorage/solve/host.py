@@ -1,0 +1,127 @@
+"""A run whose coupled points are moved by another program, one coupling step at a time.
+
+Between the two ends of a coupling step the points follow the cubic that has the host's positions and velocities at
+both, so that positions and velocities are continuous.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from moorage.errors import SimulationError
+from moorage.physics.motion import Tracks
+from moorage.solve.march import Block, March, Settings
+from moorage.solve.record import new_record
+from moorage.solve.statics import rest, solve
+from moorage.system.build import Built, with_motion
+
+
+class HostMarch:
+    """The state of a coupled run.
+
+    Parameters
+    ----------
+    built : Built
+        System with its coupled points where the model describes them.
+    settings : Settings
+    """
+
+    def __init__(self, built: Built, settings: Settings | None = None):
+        coupled, points = built.coupled, len(built.names.points)
+        track = np.full(points, -1)
+        track[coupled] = np.arange(len(coupled))
+        # one interval for each coupled point, rewritten in place at each coupling step
+        self._tracks = Tracks(
+            track, built.system.tracks.rest.copy(), np.array([0.0, 1.0]), np.zeros((len(coupled), 1, 3, 4))
+        )
+        self.built = with_motion(built, self._tracks)
+        self.settings = settings or Settings()
+        self.position = self._tracks.rest[coupled].copy()  # (m, 3) of the coupled points now
+        self.velocity = np.zeros_like(self.position)
+        self.time = 0.0
+        self._march: March | None = None
+
+    def initialize(self, position=None, velocity=None, static: bool = True) -> np.ndarray:
+        """Start at time 0 with the coupled points at a position (m, 3), m; return the forces on them (m, 3), N."""
+        if position is not None:
+            self.position = self._checked("position", position)
+        self.velocity = np.zeros_like(self.position) if velocity is None else self._checked("velocity", velocity)
+        self._set_tracks(0.0, 1.0, self.position, np.zeros_like(self.position))
+        if static:
+            solve(self.built)
+        else:
+            rest(self.built)
+        self._set_tracks(0.0, 1.0, self.position + self.velocity, self.velocity)
+        self.time = 0.0
+        self._march = March(self.built, self.settings, 0.0)
+        return self._forces(0.0)
+
+    def step(self, time: float, position, velocity) -> np.ndarray:
+        """Advance to `time` (s) with the coupled points ending at (m, 3) m and m/s; return the forces on them, N.
+
+        Raises
+        ------
+        SimulationError
+            Bad numbers, a time that does not increase, or a step that cannot be solved: the state is left as it was.
+        """
+        if self._march is None:
+            raise SimulationError("step() before initialize(): call initialize() first", self.time)
+        if not np.isfinite(time) or time <= self.time:
+            raise SimulationError(
+                f"step() to {time} s, but the run is at {self.time:g} s: time must increase", self.time
+            )
+        position, velocity = self._checked("position", position), self._checked("velocity", velocity)
+        saved = self.save()
+        self._set_tracks(self.time, time, position, velocity)
+        try:
+            forces = self._forces(time)
+        except SimulationError:
+            self.restore(saved)
+            raise
+        self.time, self.position, self.velocity = float(time), position, velocity
+        return forces
+
+    def save(self) -> Block:
+        """Return the whole state, so that a host can come back to it."""
+        if self._march is None:
+            raise SimulationError("save() before initialize(): call initialize() first", self.time)
+        return self._march.checkpoint() | {
+            "host": np.array([self.time]),
+            "host_position": self.position.copy(),
+            "host_velocity": self.velocity.copy(),
+        }
+
+    def restore(self, saved: Block) -> None:
+        """Go back to a saved state."""
+        if self._march is None:
+            raise SimulationError("restore() before initialize(): call initialize() first", self.time)
+        self._march.restore(saved)
+        self.time = float(saved["host"][0])
+        self.position, self.velocity = saved["host_position"].copy(), saved["host_velocity"].copy()
+
+    def _checked(self, name: str, values) -> np.ndarray:
+        array = np.array(values, dtype=float)
+        if array.size != self.position.size or not np.isfinite(array).all():
+            raise SimulationError(
+                f"{name}: expected {len(self.position)} x 3 finite numbers (coupled points in the order of the file), "
+                f"got an array of shape {array.shape}" + ("" if np.isfinite(array).all() else " with NaN or inf in it"),
+                self.time,
+            )
+        return array.reshape(self.position.shape)
+
+    def _set_tracks(self, t0: float, t1: float, position, velocity) -> None:
+        """Put the Hermite cubic from the present motion to the one at t1 into the tracks."""
+        h = t1 - t0
+        r0, v0, r1, v1 = self.position, self.velocity, position, velocity
+        self._tracks.knots[:] = t0, t1
+        self._tracks.coefficients[:, 0, :, 0] = 2.0 * (r0 - r1) / h**3 + (v0 + v1) / h**2
+        self._tracks.coefficients[:, 0, :, 1] = 3.0 * (r1 - r0) / h**2 - (2.0 * v0 + v1) / h
+        self._tracks.coefficients[:, 0, :, 2] = v0
+        self._tracks.coefficients[:, 0, :, 3] = r0
+
+    def _forces(self, time: float) -> np.ndarray:
+        assert self._march is not None
+        record = new_record(self.built.system, np.array([time]), np.zeros(0), np.zeros((0, 2), dtype=np.int64))
+        self._march.run(time, time, record)
+        self._march.time = time
+        return self._march.block(record, 1, 0)["point_force"][0][self.built.coupled]
