@@ -1,1 +1,1 @@
-
+"""Statics, time steps, elimination and stiffness: arrays in, arrays out."""

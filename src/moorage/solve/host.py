@@ -67,9 +67,8 @@ class HostMarch:
         if self._march is None:
             raise SimulationError("step() before initialize(): call initialize() first", self.time)
         if not np.isfinite(time) or time <= self.time:
-            raise SimulationError(
-                f"step() to {time} s, but the run is at {self.time:g} s: time must increase", self.time
-            )
+            late = f"step() to {time} s, but the run is at {self.time:g} s: time must increase"
+            raise SimulationError(late, self.time)
         position, velocity = self._checked("position", position), self._checked("velocity", velocity)
         saved = self.save()
         self._set_tracks(self.time, time, position, velocity)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from concurrent.futures import ThreadPoolExecutor
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -167,7 +168,7 @@ class March:
         else:
             cuts = np.linspace(0, islands, 4 * workers + 1).astype(int)
             with ThreadPoolExecutor(workers) as pool:
-                list(pool.map(part, zip(cuts[:-1], cuts[1:], strict=True)))
+                list(pool.map(part, pairwise(cuts)))
         failed = np.flatnonzero(self.clocks.status != OK)
         if len(failed):
             raise self._failure(int(failed[np.argmin(self.clocks.time[failed])]), record)
@@ -215,10 +216,8 @@ class March:
     def _point_force(self, force) -> np.ndarray:
         """Sum of the forces of all lines on each point."""
         ends = self.built.system.lines.end_point.ravel()
-        holds = csr_array(
-            (np.ones(len(ends)), (ends, np.arange(len(ends)))), shape=(len(self.built.names.points), len(ends))
-        )
-        n = len(force)
+        n, shape = len(force), (len(self.built.names.points), len(ends))
+        holds = csr_array((np.ones(len(ends)), (ends, np.arange(len(ends)))), shape=shape)
         return (holds @ force.reshape(n, -1, 3).swapaxes(0, 1).reshape(len(ends), -1)).reshape(-1, n, 3).swapaxes(0, 1)
 
     def _failure(self, island: int, record: Record) -> SimulationError:

@@ -89,7 +89,7 @@ def march_island(system, old, now, work, clocks, control, island, until, stop, i
             good, iterations, change, where = implicit_step(system, b, a, work, island, t, size, control)
             error = size * size * change / control.error
         else:
-            good, speed, where = explicit_step(system, b, a, work, island, t, size, control.order)
+            good, where = explicit_step(system, b, a, work, island, t, size, control.order)
             iterations, error = control.order, 0.0
         clocks.counts[island, 2] += iterations
         if not good or not error < 2.0:

@@ -188,8 +188,7 @@ def record_watched(system, old, now, island_of_line, island, h, s, record, row):
         line = record.watched[w, 0]
         if island_of_line[line] != island:
             continue
-        first, last = line_nodes(system.lines, line)
-        i = first + record.watched[w, 1]
+        i = system.lines.node_ptr[line] + record.watched[w, 1]
         v0, v1 = get(old.velocity, i), get(now.velocity, i)
         r = hermite(get(old.position, i), v0, get(now.position, i), v1, h, s)
         v = mix(s, v0, v1)

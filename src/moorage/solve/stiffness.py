@@ -68,10 +68,13 @@ def coupled_stiffness(built: Built, moved) -> np.ndarray:
     Fixed points, and coupled ones that are not in `moved`, are held.
     """
     K, free, m = point_stiffness(built), built.system.islands.points, len(moved)
-    Kmm = K[np.ix_(moved, range(3), moved, range(3))].reshape(3 * m, 3 * m)
+
+    def pick(rows, columns):
+        return K[rows][:, :, columns].reshape(3 * len(rows), 3 * len(columns))
+
+    Kmm = pick(moved, moved)
     if len(free):
-        Kmf = K[np.ix_(moved, range(3), free, range(3))].reshape(3 * m, -1)
-        Kff = K[np.ix_(free, range(3), free, range(3))].reshape(3 * len(free), -1)
+        Kmf, Kff = pick(moved, free), pick(free, free)
         Kmm = Kmm - Kmf @ np.linalg.solve(Kff, Kmf.T)
     return Kmm.reshape(m, 3, m, 3)
 
