@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from moorage.io.text import Findings
 from moorage.model import Model
-from moorage.model.checks import problems_of
+from moorage.model.checks import check, problems_of
 from moorage.model.seabed import place_on_seabed
 from moorage.model.seabed import raise_to_seabed as raised
 
@@ -17,8 +17,12 @@ def checked(model: Model, found: Findings, raise_to_seabed: bool = False) -> Mod
     if not found.problems:
         model = place_on_seabed(model)
         model = raised(model) if raise_to_seabed else model
-    bad_places = {problem.source for problem in found.problems}
-    if not found.lost_rows:
-        found.extend(problem for problem in problems_of(model) if problem.source not in bad_places)
-    found.raise_any()
+    if found.problems:
+        blamed = {problem.source for problem in found.problems}
+        later = () if found.lost_rows else problems_of(model)
+        # a value that could not be read is nan in the model, which has been said
+        found.extend(p for p in later if p.source not in blamed and p.value == p.value)
+        found.problems.sort(key=lambda p: (p.source.file, p.source.line) if p.source else ("", 0))
+        found.raise_any()
+    check(model)
     return model

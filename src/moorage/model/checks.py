@@ -25,9 +25,8 @@ def check(model: Model) -> None:
 
 
 def problems_of(model: Model) -> list[Problem]:
-    """Return everything that is wrong with a model; numbers that are not finite hide what follows from them."""
-    problems = list(numbers_are_finite(model))
-    return problems or [problem for function in CHECKS for problem in function(model)]
+    """Return everything that is wrong with a model."""
+    return [problem for function in CHECKS for problem in function(model)]
 
 
 def _named(model: Model) -> Iterator[tuple[str, object, Source | None]]:
@@ -66,15 +65,15 @@ def _floats(thing: object, field: str = "") -> Iterator[tuple[str, float]]:
 
 
 def _signs(thing: object, name: str, source: Source | None, positive: str, not_negative: str) -> Iterator[Problem]:
-    """Yield the fields (listed with blanks between) that are not positive, or negative."""
-    for fields, holds, word in (
-        (positive, lambda v: v > 0.0, "must be positive"),
-        (not_negative, lambda v: v >= 0.0, "must not be negative"),
+    """Yield the fields (listed with blanks between) that are not positive, or negative; nan is another check's."""
+    for fields, fails, word in (
+        (positive, lambda v: v <= 0.0, "must be positive"),
+        (not_negative, lambda v: v < 0.0, "must not be negative"),
     ):
         for field in fields.split():
             value = getattr(thing, field)
             values = [v for _, v in _floats(value)] if isinstance(value, tuple) else [value]
-            if any(isinstance(v, int | float) and not holds(v) for v in values):
+            if any(isinstance(v, int | float) and fails(v) for v in values):
                 yield Problem(f"{field.replace('_', ' ')} of {name} {word}", "correct the value", source, value)
 
 
@@ -84,7 +83,7 @@ def environment_is_possible(model: Model) -> Iterator[Problem]:
     environment = model.environment
     weak = "gravity water_density seabed_stiffness seabed_damping"
     yield from _signs(environment, "the environment", source, "water_depth", weak)
-    if model.output_interval is not None and not model.output_interval > 0.0:
+    if model.output_interval is not None and model.output_interval <= 0.0:
         yield Problem("output interval must be positive", "correct it", source, model.output_interval)
     if environment.friction is not None:
         friction = environment.friction
@@ -105,7 +104,7 @@ def depths_are_positive(model: Model) -> Iterator[Problem]:
     if len(grid.depth) != len(grid.x) or any(len(row) != len(grid.y) for row in grid.depth):
         yield Problem("depth grid is not rectangular", "give a depth for each x and y", grid.source)
     shallowest = min((depth for row in grid.depth for depth in row), default=0.0)
-    if not shallowest > 0.0:
+    if shallowest <= 0.0:
         yield Problem(
             "seabed reaches the water's surface", "give positive depths (z negative)", grid.source, -shallowest
         )
@@ -208,7 +207,7 @@ def sections_are_possible(model: Model) -> Iterator[Problem]:
                 known = ", ".join(types.values()) or "none is described"
                 message = f"line type of line {line.id} is not described"
                 yield Problem(message, f"use one of: {known}", source, section.line_type)
-            if not section.length > 0.0:
+            if section.length <= 0.0:
                 yield Problem(f"length of line {line.id} must be positive", "correct it", source, section.length)
             if section.segments < 1:
                 message = f"number of segments of line {line.id} must be at least 1"
@@ -343,6 +342,7 @@ def channels_exist(model: Model) -> Iterator[Problem]:
 
 
 CHECKS: tuple[Check, ...] = (
+    numbers_are_finite,
     environment_is_possible,
     depths_are_positive,
     current_is_a_profile,

@@ -193,6 +193,5 @@ def _repointed(output: OutputChannel, pieces: dict[int, list[Line]]) -> OutputCh
     bounds = [0, *accumulate(part.segments for part in parts)]
     k = next(k for k, (_, last) in enumerate(pairwise(bounds)) if node <= last)
     name = re.sub(r"\d+", str(parts[k].id), output.name, count=1)
-    if re.search(r"N\d+", name):
-        name = re.sub(r"(?<=N)\d+", str(node - bounds[k]), name, count=1)
-    return dataclasses.replace(output, name=name)
+    node_number = re.compile(r"(?<=\dN)\d+")
+    return dataclasses.replace(output, name=node_number.sub(str(node - bounds[k]), name, count=1))

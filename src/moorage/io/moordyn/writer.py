@@ -54,16 +54,21 @@ def _front(model: Model) -> list[str]:
 
 def _names(model: Model, notes: list[str]) -> dict[str, str]:
     """Return the names of line and rod types as single words, by their names."""
-    words: dict[str, str] = {}
-    for thing_name in [t.name for t in model.line_types] + [t.name for t in model.rod_types]:
-        word = re.sub(r"[\s#!%|,\"']+", "_", thing_name) or "type"
-        word = word.replace("---", "_")
-        while word != thing_name and word.lower() in (w.lower() for w in words.values()):
-            word += "_"
-        if word != thing_name:
-            notes.append(f"type {thing_name!r} is now called {word}")
-        words[thing_name] = word
+    names = list(dict.fromkeys([t.name for t in model.line_types] + [t.name for t in model.rod_types]))
+    words = {name: _word(name) for name in names}
+    taken = {name.lower() for name in names if words[name] == name}
+    for name in names:
+        if words[name] != name:
+            while words[name].lower() in taken:
+                words[name] += "_"
+            taken.add(words[name].lower())
+            notes.append(f"type {name!r} is now called {words[name]}")
     return words
+
+
+def _word(name: str) -> str:
+    """Return a name as one word that neither starts a comment nor looks like a line of dashes."""
+    return re.sub(r"[\s#!%|,\"']+|-{3,}", "_", name) or "type"
 
 
 def _named(names: dict[str, str], name: str) -> str:

@@ -1,0 +1,85 @@
+"""Features whose physics is not built are refused by name, with file and line, all at once."""
+
+import dataclasses
+
+import pytest
+
+from moorage.errors import Source, UnsupportedError
+from moorage.io import read
+from moorage.model import (
+    Bathymetry,
+    Body,
+    Control,
+    Curve,
+    ExternalLoad,
+    Failure,
+    Friction,
+    Point,
+    Rod,
+    Waves,
+)  # fmt: skip
+from moorage.model.unbuilt import UNBUILT, refuse_unbuilt, unbuilt
+
+AT = Source("model.dat", 7)
+
+
+def test_a_plain_model_is_built(deck):
+    model = read(deck())
+    assert unbuilt(model) == []
+    refuse_unbuilt(model)
+
+
+def _with_type(**changes):
+    return lambda m: dataclasses.replace(m, line_types=(dataclasses.replace(m.line_types[0], source=AT, **changes),))
+
+
+def _with(**changes):
+    return lambda m: dataclasses.replace(m, **changes)
+
+
+def _around(**changes):
+    return lambda m: dataclasses.replace(m, environment=dataclasses.replace(m.environment, **changes))
+
+
+PLACE = ((0.0, 0.0, -1.0), (0.0, 0.0, -2.0))
+CASES = {
+    "rods are": _with(
+        rods=(Rod(id=1, rod_type="r", kind="fixed", end_a=PLACE[0], end_b=PLACE[1], segments=1, source=AT),)
+    ),
+    "bodies are": _with(bodies=(Body(id=1, kind="free", position=PLACE[0], source=AT),)),
+    "points on bodies are": lambda m: dataclasses.replace(
+        m, points=(*m.points, Point(id=3, kind="fixed", position=PLACE[0], body=1, source=AT))
+    ),
+    "attachments to turbines are": lambda m: dataclasses.replace(
+        m, points=(*m.points, Point(id=3, kind="coupled", position=PLACE[0], turbine=1, source=AT))
+    ),
+    "bending stiffness is": _with_type(bending_stiffness=1e4),
+    "chain: bending stiffness is": _with_type(bending_stiffness=Curve((0.0, 1.0), (0.0, 1.0))),
+    "viscoelastic lines are": _with_type(viscoelastic=(1e8,)),
+    "the Syrope model is": _with_type(syrope="s.dat", viscoelastic=(1e8, 1.0)),
+    "vortex-induced vibration is": _with_type(lift_coefficient=0.8),
+    "seabed friction is": _around(friction=Friction(axial=0.5, source=AT)),
+    "uneven seabeds are": _around(bathymetry=Bathymetry((0.0, 1.0), (0.0,), ((1.0,), (1.0,)), source=AT)),
+    "waves are": _around(waves=Waves(option="WaveKin", value="3", source=AT)),
+    "unsteady currents are": _around(waves=Waves(option="Currents", value="2", source=AT)),
+    "failures are": lambda m: dataclasses.replace(
+        m, failures=(Failure(id=1, attachment=m.lines[0].end_a, lines=(1,), source=AT),)
+    ),
+    "controlled lengths are": _with(controls=(Control(channel=1, lines=(1,), source=AT),)),
+    "external loads are": _with(external_loads=(ExternalLoad(id=1, target="point", target_id=1, source=AT),)),
+}
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_refused(deck, name):
+    with pytest.raises(UnsupportedError, match=f"model.dat:7: .*{name} not simulated yet"):
+        refuse_unbuilt(CASES[name](read(deck())))
+
+
+def test_all_are_named_together(deck):
+    model = read(deck())
+    for change in CASES.values():
+        model = change(model)
+    with pytest.raises(UnsupportedError) as caught:
+        refuse_unbuilt(model)
+    assert len(caught.value.problems) >= len(UNBUILT) - 2  # types and seas replace each other here
