@@ -1,0 +1,103 @@
+"""Moorage: dynamics of mooring lines and power cables, from MoorDyn files to labelled results.
+
+>>> import moorage
+>>> model = moorage.read("lines.dat")                    # doctest: +SKIP
+>>> ds = moorage.simulate(model, duration=300.0)         # doctest: +SKIP
+
+Everything is imported when it is first used, so that `import moorage` is instant.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from importlib.metadata import version
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from moorage import io, plot, results
+    from moorage.errors import (
+        ConvergenceError,
+        InputError,
+        ModelError,
+        ModelWarning,
+        MoorageError,
+        MotionError,
+        ResultError,
+        RunInterrupted,
+        SimulationError,
+        UnsupportedError,
+    )
+    from moorage.io import convert, read
+    from moorage.io.motion import Motion
+    from moorage.model import Model
+    from moorage.results import line, open_result
+    from moorage.run import Simulation, simulate, solve_statics, warmup
+
+    __version__: str
+
+_ERRORS = (
+    "ConvergenceError",
+    "InputError",
+    "ModelError",
+    "ModelWarning",
+    "MoorageError",
+    "MotionError",
+    "ResultError",
+    "RunInterrupted",
+    "SimulationError",
+    "UnsupportedError",
+)
+_MODULES = ("io", "plot", "results")
+_HOMES = {
+    **dict.fromkeys(_ERRORS, "errors"),
+    "Model": "model",
+    "Motion": "io.motion",  # this module gives Motion its reader
+    "Simulation": "run",
+    "convert": "io",
+    "line": "results",
+    "open_result": "results",
+    "read": "io",
+    "simulate": "run",
+    "solve_statics": "run",
+    "warmup": "run",
+}
+
+__all__ = [
+    "ConvergenceError",
+    "InputError",
+    "Model",
+    "ModelError",
+    "ModelWarning",
+    "MoorageError",
+    "Motion",
+    "MotionError",
+    "ResultError",
+    "RunInterrupted",
+    "Simulation",
+    "SimulationError",
+    "UnsupportedError",
+    "convert",
+    "io",
+    "line",
+    "open_result",
+    "plot",
+    "read",
+    "results",
+    "simulate",
+    "solve_statics",
+    "warmup",
+]
+
+
+def __getattr__(name: str):
+    if name == "__version__":
+        return version("moorage")
+    if name in _MODULES:
+        return import_module(f"moorage.{name}")
+    if name in _HOMES:
+        return getattr(import_module(f"moorage.{_HOMES[name]}"), name)
+    raise AttributeError(f"module 'moorage' has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

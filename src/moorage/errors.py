@@ -75,10 +75,19 @@ class ConvergenceError(MoorageError):
 
 
 class SimulationError(MoorageError):
-    """A run that could not go on; everything before `time` (s) has been kept."""
+    """A run that could not go on at `time` (s); the records before it are in `result` (a dataset)."""
 
     def __init__(self, message: str, time: float = float("nan")):
         self.time = time
+        self.result: object = None
+        super().__init__(message)
+
+
+class RunInterrupted(KeyboardInterrupt):
+    """A run that was stopped with Ctrl-C between two blocks; its records up to `time` (s) are in `result`."""
+
+    def __init__(self, message: str, time: float, result: object = None):
+        self.time, self.result = time, result
         super().__init__(message)
 
 

@@ -1,1 +1,43 @@
+"""Records of a run as labelled datasets: in memory, streamed to disk, and back."""
 
+from moorage.results.channels import plan_outputs, watch_list
+from moorage.results.checkpoint import (
+    Checkpoint,
+    checkpoint_path,
+    load_checkpoint,
+    remove_checkpoint,
+    save_checkpoint,
+)
+from moorage.results.columns import Layout
+from moorage.results.dataset import join_columns, line, static_dataset, to_dataset
+from moorage.results.index import Index, make_index
+from moorage.results.memory import MemoryResult
+from moorage.results.provenance import fingerprint, run_attributes
+from moorage.results.reader import open_result
+from moorage.results.statistics import LineSummary, Summary, line_summaries
+from moorage.results.writer import StreamWriter
+
+__all__ = [
+    "Checkpoint",
+    "Index",
+    "Layout",
+    "LineSummary",
+    "MemoryResult",
+    "StreamWriter",
+    "Summary",
+    "checkpoint_path",
+    "fingerprint",
+    "join_columns",
+    "line",
+    "line_summaries",
+    "load_checkpoint",
+    "make_index",
+    "open_result",
+    "plan_outputs",
+    "remove_checkpoint",
+    "run_attributes",
+    "save_checkpoint",
+    "static_dataset",
+    "to_dataset",
+    "watch_list",
+]

@@ -1,0 +1,143 @@
+"""The OUTPUTS channels of a MoorDyn file, under MoorDyn's names and with MoorDyn's definitions.
+
+A node force is the net force on the node without its inertia; the tension of an end node (FAIRTEN, ANCHTEN, TENA, TENB,
+TEN of node 0 or N) is the norm of that force, not the force on the fairlead or anchor, which has the inertia of half a
+segment in it. Inside a line, TEN is the mean of the two neighbour segments. A point's force is that of its lines
+(without inertia) with its own weight, buoyancy, drag and constant force. Intended difference: accelerations of fixed
+and coupled points are those of the imposed motion, where MoorDyn prints zero.
+
+Source: MoorDyn documentation, "Outputs". Verified by tests/unit/test_outputs.py.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from moorage.layout import Weights
+from moorage.model import Model
+from moorage.model.channels import Channel, parse_channel
+from moorage.physics.point import sample_loads
+from moorage.solve.march import Block
+from moorage.system.build import Built
+
+Evaluate = Callable[[Block], np.ndarray]
+
+_KINDS = {  # first letter of a vector quantity: field of the block, unit
+    "P": ("position", "m"),
+    "V": ("velocity", "m s-1"),
+    "A": ("acceleration", "m s-2"),
+    "F": ("force", "N"),
+}
+
+
+@dataclass(frozen=True)
+class Output:
+    """One channel: its name as MoorDyn prints it, what it is, and how it follows from a block."""
+
+    name: str
+    unit: str
+    long_name: str
+    evaluate: Evaluate
+
+    @property
+    def attributes(self) -> dict[str, str]:
+        """The CF attributes of the channel."""
+        return {"units": self.unit, "long_name": self.long_name}
+
+
+def watch_list(model: Model) -> tuple[tuple[int, int], ...]:
+    """Return the (line index, node index) pairs that the channels of a model need to have recorded."""
+    pairs = (_place(model, channel) for _, channel in _channels(model) if _is_watched(model, channel))
+    return tuple(dict.fromkeys(pairs))
+
+
+def plan_outputs(model: Model, built: Built) -> tuple[Output, ...]:
+    """Return the channels of a checked model, each once."""
+    watched = {pair: k for k, pair in enumerate(watch_list(model))}
+    return tuple(_output(name, channel, model, built, watched) for name, channel in _channels(model))
+
+
+def _channels(model: Model) -> list[tuple[str, Channel]]:
+    parsed = {output.name: parse_channel(output.name) for output in model.outputs}
+    return [(name, channel) for name, channel in parsed.items() if channel is not None]
+
+
+def _place(model: Model, channel: Channel) -> tuple[int, int]:
+    k = next(k for k, line in enumerate(model.lines) if line.id == channel.id)
+    return k, model.lines[k].segments if channel.node == -1 else channel.node or 0
+
+
+def _end(model: Model, channel: Channel) -> int | None:
+    """Return 0 or 1 for a channel of the tension at end A or B, else None."""
+    if channel.object != "line" or not channel.quantity.startswith("TEN"):
+        return None
+    k, node = _place(model, channel)
+    return {0: 0, model.lines[k].segments: 1}.get(node)
+
+
+def _is_watched(model: Model, channel: Channel) -> bool:
+    return channel.object == "line" and _end(model, channel) is None
+
+
+def _output(name: str, channel: Channel, model: Model, built: Built, watched: dict[tuple[int, int], int]) -> Output:
+    if channel.object == "point":
+        unit, words, evaluate = _of_point(channel, model, built)
+    elif _end(model, channel) is not None:
+        unit, words, evaluate = _of_end(channel, model)
+    else:
+        unit, words, evaluate = _of_node(channel, model, watched)
+    along = "" if channel.quantity.startswith("TEN") else f", {channel.quantity[-1].lower()}"
+    return Output(name, unit, words + along, evaluate)
+
+
+def _of_point(channel: Channel, model: Model, built: Built) -> tuple[str, str, Evaluate]:
+    k, quantity = next(k for k, point in enumerate(model.points) if point.id == channel.id), channel.quantity
+    if quantity[0] in "FT":
+        words = f"force of lines, weight, buoyancy and drag on point {channel.id}"
+        return "N", words, _point_force(built, k, quantity)
+    field, unit = _KINDS[quantity[0]]
+    return unit, f"{field} of point {channel.id}", _vector(f"point_{field}", k, quantity)
+
+
+def _of_end(channel: Channel, model: Model) -> tuple[str, str, Evaluate]:
+    (line, _), end = _place(model, channel), _end(model, channel)
+    words = f"net force without inertia on the node at end {'AB'[end or 0]} of line {channel.id}"
+    return "N", words, lambda block: _norm(block["end_load"][:, line, end])
+
+
+def _of_node(channel: Channel, model: Model, watched: dict[tuple[int, int], int]) -> tuple[str, str, Evaluate]:
+    line, node = _place(model, channel)
+    where, w = f"node {node} of line {channel.id}", watched[line, node]
+    if channel.quantity == "TEN":
+        return "N", f"mean tension of the segments at {where}", lambda block: block["watch_tension"][:, w]
+    field, unit = _KINDS[channel.quantity[0]]
+    words = "net force without inertia on" if field == "force" else f"{field} of"
+    return unit, f"{words} {where}", _vector(f"watch_{field}", w, channel.quantity)
+
+
+def _vector(field: str, k: int, quantity: str) -> Evaluate:
+    axis = "XYZ".index(quantity[-1])
+    return lambda block: block[field][:, k, axis]
+
+
+def _norm(vectors: np.ndarray) -> np.ndarray:
+    return np.sqrt((vectors**2).sum(axis=-1))
+
+
+def _point_force(built: Built, k: int, quantity: str) -> Evaluate:
+    """Return MoorDyn's net force on a point: loads of the line ends, and those on the point itself."""
+    lines, ends = np.nonzero(built.system.lines.end_point == k)
+
+    def force(block: Block) -> np.ndarray:
+        own = np.empty((len(block["time"]), 3))
+        sample_loads(
+            built.system.points, built.system.current, k, block["point_position"][:, k].copy(),
+            block["point_velocity"][:, k].copy(), Weights(0.0, 0.0, 0.0), own,
+        )  # fmt: skip
+        total = own + block["end_load"][:, lines, ends].sum(axis=1)
+        return _norm(total) if quantity == "TEN" else total[:, "XYZ".index(quantity[-1])]
+
+    return force

@@ -1,0 +1,94 @@
+"""From a block of records to the variables of a result: one table for datasets in memory and files on disk."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from moorage.results.channels import Output
+from moorage.results.index import Index
+from moorage.solve.march import Block
+from moorage.variables import VARIABLES, attributes
+
+NODE_VARIABLES = ("node_position", "node_velocity", "segment_tension")
+LINE_VARIABLES = (
+    "fairlead_tension",
+    "anchor_tension",
+    "fairlead_force",
+    "anchor_force",
+    "fairlead_segment_tension",
+    "anchor_segment_tension",
+    "minimum_tension",
+    "grounded_length",
+    "anchor_uplift_angle",
+    "point_position",
+    "point_velocity",
+    "point_force",
+)
+
+
+@dataclass(frozen=True)
+class Layout:
+    """Which variables a result has.
+
+    Attributes
+    ----------
+    index : Index
+    outputs : tuple of Output
+        MoorDyn's channels.
+    node_time : str
+        The time dimension of node histories: "time", "node_time" when they have an interval of their own, "" for none.
+    """
+
+    index: Index
+    outputs: tuple[Output, ...] = ()
+    node_time: str = "time"
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Names of the variables over time, coordinates of time first."""
+        times = ("time", "node_time") if self.node_time == "node_time" else ("time",)
+        nodes = NODE_VARIABLES if self.node_time else ()
+        return times + LINE_VARIABLES + nodes + tuple(output.name for output in self.outputs)
+
+    def dims(self, name: str) -> tuple[str, ...]:
+        """Return the dimensions of a variable over time."""
+        if name not in VARIABLES:
+            return ("time",)
+        dims = VARIABLES[name].dims
+        return (self.node_time, *dims[1:]) if name in NODE_VARIABLES else dims
+
+    def attributes(self, name: str) -> dict[str, str]:
+        """Return the CF attributes of a variable over time."""
+        return next((output.attributes for output in self.outputs if output.name == name), None) or attributes(name)
+
+    def columns(self, block: Block) -> dict[str, np.ndarray]:
+        """Return the values of all variables over time for one block, by name."""
+        anchor, fairlead = block["end_force"][:, :, 0], block["end_force"][:, :, 1]
+        values = {
+            **block,
+            "fairlead_tension": _norm(fairlead),
+            "anchor_tension": _norm(anchor),
+            "fairlead_force": fairlead,
+            "anchor_force": anchor,
+            "fairlead_segment_tension": block["end_tension"][:, :, 1],
+            "anchor_segment_tension": block["end_tension"][:, :, 0],
+            "minimum_tension": block["lowest_tension"],
+            "anchor_uplift_angle": uplift_angle(anchor, block["grounded_length"]),
+            **{output.name: output.evaluate(block) for output in self.outputs},
+        }
+        return {name: values[name] for name in self.names}
+
+
+def uplift_angle(force: np.ndarray, grounded: np.ndarray) -> np.ndarray:
+    """Return the angle (rad) of forces (..., 3) above the horizontal; not below it while line lies on the bed.
+
+    A node on the bed at the anchor weighs down on it by half a segment, which is no pull on the anchor.
+    """
+    angle = np.arctan2(force[..., 2], np.hypot(force[..., 0], force[..., 1]))
+    return np.where(grounded > 0.0, np.maximum(angle, 0.0), angle)
+
+
+def _norm(vectors: np.ndarray) -> np.ndarray:
+    return np.sqrt((vectors**2).sum(axis=-1))

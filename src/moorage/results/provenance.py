@@ -1,0 +1,58 @@
+"""What a result says about where it comes from, so that a run can be repeated from its own result."""
+
+from __future__ import annotations
+
+import dataclasses
+import hashlib
+from collections.abc import Mapping
+from datetime import UTC, datetime
+
+from moorage.model import Model, Motion, OutputChannel
+
+
+def run_attributes(
+    model: Model, motion: Motion | None, settings: Mapping[str, object], version: str
+) -> dict[str, object]:
+    """Return the global attributes of a result."""
+    return {
+        "Conventions": "CF-1.11",
+        "title": model.title or "Mooring simulation",
+        "moorage_version": version,
+        "date": datetime.now(UTC).isoformat(timespec="seconds"),
+        "input_file": model.file,
+        "input_format": model.flavour,
+        "input": model.text,
+        "input_sha256": hashlib.sha256(model.text.encode()).hexdigest(),
+        "motion": _motion_name(motion),
+        "motion_sha256": _motion_hash(motion),
+        **settings,
+        "unused_options": "; ".join(f"{o.name} = {o.value} ({o.reason})" for o in model.unused_options),
+        "water_depth": float(model.environment.water_depth),
+        "gravity": float(model.environment.gravity),
+        "water_density": float(model.environment.water_density),
+    }
+
+
+def fingerprint(model: Model, motion: Motion | None, settings: Mapping[str, object]) -> str:
+    """Return a hash of all that decides the numbers of a run; where the files lie does not."""
+    outputs = tuple(OutputChannel(name=output.name) for output in model.outputs)
+    content = dataclasses.replace(model, file="", unused_options=(), outputs=outputs)
+    text = f"{content!r}{model.text}{_motion_hash(motion)}{sorted(settings.items())!r}"
+    return hashlib.sha256(text.encode()).hexdigest()
+
+
+def _motion_name(motion: Motion | None) -> str:
+    if motion is None:
+        return "none"
+    return str(motion.source) if motion.source else "from arrays"
+
+
+def _motion_hash(motion: Motion | None) -> str:
+    digest = hashlib.sha256()
+    if motion is not None:
+        digest.update(motion.time.tobytes())
+        for table in (motion.platform, motion.coupled):
+            digest.update(b"-" if table is None else table.tobytes())
+        for id, table in sorted(motion.points.items()):
+            digest.update(f"{id}".encode() + table.tobytes())
+    return digest.hexdigest()

@@ -1,0 +1,53 @@
+"""The numbers of a run that people ask for, one row for each line."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+import xarray as xr
+
+
+class Summary(NamedTuple):
+    """A series at its start, and its minimum, mean, maximum and standard deviation."""
+
+    start: float
+    minimum: float
+    mean: float
+    maximum: float
+    deviation: float
+
+
+class LineSummary(NamedTuple):
+    """One line: tensions at end B (fairlead) and end A (anchor) in N, and what matters for its anchor."""
+
+    line: int
+    fairlead: Summary
+    anchor: Summary
+    lowest_tension: float  # of any segment at any time, N
+    uplift: float  # largest angle of the pull at end A above the horizontal, rad
+    grounded: float  # shortest length on the seabed, m
+
+
+def summary(values: np.ndarray) -> Summary:
+    """Summarise a series (n,)."""
+    return Summary(
+        float(values[0]), float(values.min()), float(values.mean()), float(values.max()), float(values.std())
+    )
+
+
+def line_summaries(ds: xr.Dataset) -> list[LineSummary]:
+    """Summarise every line of a run."""
+    names = ("fairlead_tension", "anchor_tension", "minimum_tension", "anchor_uplift_angle", "grounded_length")
+    fairlead, anchor, lowest, uplift, grounded = (ds[name].transpose("time", "line").values for name in names)
+    return [
+        LineSummary(
+            int(id),
+            summary(fairlead[:, k]),
+            summary(anchor[:, k]),
+            float(lowest[:, k].min()),
+            float(uplift[:, k].max()),
+            float(grounded[:, k].min()),
+        )
+        for k, id in enumerate(ds["line"].values)
+    ]

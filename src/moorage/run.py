@@ -1,0 +1,336 @@
+"""The pipeline, composed once: a model in, a labelled result out."""
+
+from __future__ import annotations
+
+import time
+import warnings
+from importlib.metadata import version
+from pathlib import Path
+from typing import Literal
+
+import numpy as np
+import xarray as xr
+
+from moorage._jit import mark_warm
+from moorage.errors import InputError, ModelWarning, Problem, SimulationError
+from moorage.model import Attachment, Environment, Line, LineType, Model, Motion, OutputChannel, Point, Section
+from moorage.model.checks import check
+from moorage.model.unbuilt import refuse_unbuilt
+from moorage.results import (
+    Checkpoint,
+    Layout,
+    MemoryResult,
+    StreamWriter,
+    fingerprint,
+    load_checkpoint,
+    make_index,
+    plan_outputs,
+    remove_checkpoint,
+    run_attributes,
+    save_checkpoint,
+    static_dataset,
+    watch_list,
+)
+from moorage.solve.host import HostMarch
+from moorage.solve.march import Block, March, Settings
+from moorage.solve.statics import rest, solve
+from moorage.solve.stiffness import platform_stiffness
+from moorage.streaming import Progress, stream
+from moorage.system.build import Built, build
+
+VERSION = version("moorage")
+
+
+def solve_statics(model: Model) -> xr.Dataset:
+    """Solve for static equilibrium, with the coupled points where the model describes them.
+
+    Returns
+    -------
+    xarray.Dataset
+        One instant: `node_position`, `segment_tension`, the end tensions and forces, `point_position`, `point_force`,
+        and `stiffness` (dof, dof_), the 6x6 matrix of the coupled points moved as one rigid platform about the origin,
+        with the verdict `residual` (N) and `iterations`.
+
+    Raises
+    ------
+    ModelError, UnsupportedError
+        The model is wrong, or asks for what is not simulated yet.
+    ConvergenceError
+        No equilibrium was found.
+    """
+    _accept(model)
+    built = build(model)
+    equilibrium = solve(built)
+    block = March(built, Settings(dt_nodes=1.0, watch=watch_list(model)), 0.0).first()
+    stiffness = platform_stiffness(built, block["point_force"][0][built.coupled])
+    attrs = run_attributes(model, None, {"start": "static"}, VERSION) | {"where": equilibrium.where}
+    return static_dataset(
+        _layout(model, built, "time"), block, stiffness, equilibrium.residual, equilibrium.iterations, attrs
+    )
+
+
+def simulate(
+    model: Model,
+    *,
+    duration: float,
+    motion: Motion | None = None,
+    dt_out: float | None = None,
+    dt_nodes: float | None = None,
+    tolerance: float | None = None,
+    time_step: float | None = None,
+    method: Literal["implicit", "rk2", "rk4"] = "implicit",
+    start: Literal["static", "as-given"] | None = None,
+    save: Literal["all", "tensions"] = "all",
+    output: str | Path | None = None,
+    resume: bool = False,
+    progress: Progress | None = None,
+) -> xr.Dataset:
+    """Simulate a mooring in time.
+
+    Parameters
+    ----------
+    model : Model
+    duration : float
+        s.
+    motion : Motion, optional
+        Motion of the coupled points; without it they stay where they are described.
+    dt_out : float, optional
+        Interval of the results, s; by default what the file asks for (dtOut), or 0.1 s.
+    dt_nodes : float, optional
+        Interval of node positions, velocities and segment tensions, s; by default `dt_out`.
+    tolerance : float, optional
+        Accepted local error of a step in the positions, m; by default 0.002, about 1 % rms of tension or better.
+    time_step : float, optional
+        A constant step, s, instead of the adaptive one; rk2 and rk4 need it.
+    method : {"implicit", "rk2", "rk4"}
+    start : {"static", "as-given"}, optional
+        State at time 0: static equilibrium, or lines at rest on their first catenary; by default what the model says.
+    save : {"all", "tensions"}
+        Whether node and segment histories are kept.
+    output : path, optional
+        A NetCDF file that grows while the run goes on; the dataset returned is then read from it when used.
+    resume : bool
+        Go on from the checkpoint beside `output`; the numbers are those of a run that was not interrupted.
+    progress : callable, optional
+        Called after each block with simulated time, duration and wall time, s.
+
+    Returns
+    -------
+    xarray.Dataset
+        See `moorage.variables`; `attrs["status"]` says how the run ended.
+
+    Raises
+    ------
+    InputError
+        The model, the motion or a setting is wrong, or is not simulated yet.
+    SimulationError
+        The run could not go on; what was before is in `output`, and in the error's `result`.
+    RunInterrupted
+        Ctrl-C; as before, and `resume` goes on from there.
+    """
+    chosen: dict[str, object] = {
+        "duration": duration,
+        "dt_out": (model.output_interval or 0.1) if dt_out is None else dt_out,
+        "dt_nodes": dt_nodes,
+        "tolerance": Settings().tolerance if tolerance is None else tolerance,
+        "time_step": time_step,
+        "method": method,
+        "start": model.start if start is None else start,
+        "save": save,
+    }
+    _check_settings(chosen, resume, output)
+    _accept(model)
+    settings = _settings(model, chosen)
+    rows = _rows(duration, settings)
+    built = build(model, motion, duration)
+    layout = _layout(model, built, _node_dimension(settings))
+    mark = fingerprint(model, motion, chosen)
+    saved = load_checkpoint(Path(output), mark, VERSION) if resume and output else None
+    if saved is None:
+        (solve if chosen["start"] == "static" else rest)(built)
+    march = March(built, settings, (rows["time"] - 1) * settings.dt_out)
+    if saved is not None:
+        march.restore(saved.state)
+    words = {"time_step": time_step or "adaptive", "dt_nodes": settings.dt_nodes or "none"}
+    attrs = run_attributes(model, motion, chosen | words, VERSION)
+    if output is None:
+        result = stream(march, MemoryResult(layout, attrs), layout, progress)
+    else:
+        writer = StreamWriter(Path(output), layout, rows, attrs, saved.rows if saved else None)
+
+        def keep() -> None:
+            save_checkpoint(writer.path, Checkpoint(march.checkpoint(), dict(writer.written), mark, VERSION))
+
+        try:
+            result = stream(march, writer, layout, progress, keep)
+        except SimulationError:
+            remove_checkpoint(writer.path)
+            raise
+        remove_checkpoint(writer.path)
+    mark_warm()
+    return result
+
+
+class Simulation:
+    """A mooring inside another program, which moves the coupled points and receives the forces on them.
+
+    Parameters
+    ----------
+    model : Model
+    tolerance, time_step, method
+        As for `simulate`.
+
+    Attributes
+    ----------
+    points : (m,) int
+        Ids of the coupled points, in the order of all arrays here.
+
+    Examples
+    --------
+    >>> sim = moorage.Simulation(model)                      # doctest: +SKIP
+    >>> forces = sim.initialize()                            # doctest: +SKIP
+    >>> state = sim.save()                                   # doctest: +SKIP
+    >>> forces = sim.step(0.1, position, velocity)           # doctest: +SKIP
+    >>> sim.restore(state)  # to try the step again          # doctest: +SKIP
+    """
+
+    def __init__(
+        self,
+        model: Model,
+        *,
+        tolerance: float | None = None,
+        time_step: float | None = None,
+        method: Literal["implicit", "rk2", "rk4"] = "implicit",
+    ):
+        chosen = {"tolerance": Settings().tolerance if tolerance is None else tolerance, "time_step": time_step}
+        _check_settings({**chosen, "method": method}, False, None)
+        _accept(model)
+        self.model = model
+        built = build(model)
+        self.points = built.names.points[built.coupled]
+        self._host = HostMarch(built, Settings(method=method, **chosen))  # type: ignore[arg-type]
+
+    @property
+    def time(self) -> float:
+        """Time of the state, s."""
+        return self._host.time
+
+    @property
+    def position(self) -> np.ndarray:
+        """Positions of the coupled points, (m, 3), m."""
+        return self._host.position.copy()
+
+    def initialize(self, position=None, velocity=None) -> np.ndarray:
+        """Start at time 0 and return the forces of the mooring on the coupled points, (m, 3), N.
+
+        Parameters
+        ----------
+        position, velocity : (m, 3) array, optional
+            Of the coupled points, m and m/s; by default as described, at rest.
+        """
+        return self._host.initialize(position, velocity, self.model.start == "static")
+
+    def step(self, time: float, position, velocity) -> np.ndarray:
+        """Advance to `time` (s), where the coupled points are at `position` with `velocity`; return the forces.
+
+        Parameters
+        ----------
+        position, velocity : (m, 3) array
+            m and m/s; on the way the points follow the cubic between the two ends.
+        """
+        return self._host.step(time, position, velocity)
+
+    def save(self) -> Block:
+        """Return the whole state as arrays."""
+        return self._host.save()
+
+    def restore(self, saved: Block) -> None:
+        """Go back to a saved state, bit for bit."""
+        self._host.restore(saved)
+
+
+def warmup() -> float:
+    """Compile all kernels, so that the next process starts at once; return the wall time, s."""
+    begin = time.perf_counter()
+    line_type = LineType(name="chain", diameter=0.05, mass_per_length=50.0, axial_stiffness=1e8)
+    line = {"end_b": Attachment("point", 2), "sections": (Section(line_type="chain", length=60.0, segments=3),)}
+    model = Model(
+        environment=Environment(water_depth=50.0),
+        line_types=(line_type,),
+        points=(
+            Point(id=1, kind="fixed", position=(0.0, 0.0, -50.0)),
+            Point(id=2, kind="coupled", position=(30.0, 0.0, 0.0)),
+        ),
+        lines=(Line(id=1, end_a=Attachment("point", 1), **line),),  # type: ignore[arg-type]
+        outputs=(OutputChannel(name="LINE1N1TEN"), OutputChannel(name="POINT2FX")),
+    )
+    motion = Motion.from_harmonics(1.0, ramp=0.5, surge=(0.1, 1.0))
+    solve_statics(model)
+    for method in ("implicit", "rk2", "rk4"):
+        simulate(model, motion=motion, duration=0.1, time_step=1e-3, method=method)  # type: ignore[arg-type]
+    Simulation(model).initialize()
+    mark_warm()
+    return time.perf_counter() - begin
+
+
+def _accept(model: Model) -> None:
+    """Refuse a model that is wrong or asks for what is not built, and say once which options mean nothing here."""
+    check(model)
+    refuse_unbuilt(model)
+    if model.unused_options:
+        names = ", ".join(option.name for option in model.unused_options)
+        warnings.warn(f"{model.file}: options that are not used here: {names}", ModelWarning, stacklevel=3)
+
+
+def _check_settings(chosen: dict[str, object], resume: bool, output: object) -> None:
+    problems = []
+    for name in ("duration", "dt_out", "dt_nodes", "tolerance", "time_step"):
+        value = chosen.get(name)
+        if value is not None and not (isinstance(value, int | float) and 0.0 < value < np.inf):
+            problems.append(Problem(f"{name} must be a positive number", "correct it", value=value))
+    for name, words in (
+        ("method", ("implicit", "rk2", "rk4")),
+        ("start", ("static", "as-given")),
+        ("save", ("all", "tensions")),
+    ):
+        if name in chosen and chosen[name] not in words:
+            problems.append(Problem(f"{name} is not known", f"use {' or '.join(words)}", value=chosen[name]))
+    if chosen["method"] in ("rk2", "rk4") and chosen["time_step"] is None:
+        remedy = "give time_step (--time-step), or use the implicit method"
+        problems.append(Problem(f"method {chosen['method']} needs a time step", remedy))
+    if resume and output is None:
+        problems.append(Problem("there is nothing to resume without a result file", "give output (-o)"))
+    if problems:
+        raise InputError(problems)
+
+
+def _settings(model: Model, chosen: dict) -> Settings:
+    dt_nodes = (chosen["dt_nodes"] or chosen["dt_out"]) if chosen["save"] == "all" else None
+    return Settings(
+        method=chosen["method"],
+        tolerance=float(chosen["tolerance"]),
+        time_step=chosen["time_step"],
+        dt_out=float(chosen["dt_out"]),
+        dt_nodes=dt_nodes and float(dt_nodes),
+        watch=watch_list(model),
+    )
+
+
+def _rows(duration: float, settings: Settings) -> dict[str, int]:
+    """Return the number of output times and of node histories of a whole run."""
+    rows = int(np.floor(duration / settings.dt_out + 1e-6)) + 1
+    end = (rows - 1) * settings.dt_out
+    return {
+        "time": rows,
+        "node_time": int(np.floor(end / settings.dt_nodes + 1e-6)) + 1 if settings.dt_nodes else 0,
+    }
+
+
+def _node_dimension(settings: Settings) -> str:
+    if settings.dt_nodes is None:
+        return ""
+    return "time" if settings.dt_nodes == settings.dt_out else "node_time"
+
+
+def _layout(model: Model, built: Built, node_time: str) -> Layout:
+    return Layout(make_index(model, built.names), plan_outputs(model, built), node_time)
