@@ -90,7 +90,10 @@ def implicit_step(system, now, trial, work, island, t, h, control):
         iterations += 1
         if not largest < 1e100:
             break
-        if c.damping * largest < control.newton:
+        if (
+            c.damping * largest < control.newton
+            and tension_left(control, island, c, largest) < control.leftover[island]
+        ):
             converged = True
             break
     total, rows = 0.0, p1 - p0
@@ -102,6 +105,14 @@ def implicit_step(system, now, trial, work, island, t, h, control):
     for p in range(p0, p1):
         total += finish_row(now, trial, point_row(lines, islands.points[p]), k)
     return converged, iterations, math.sqrt(total / rows), row
+
+
+@inlined
+def tension_left(control, island, c, largest):
+    """Estimate the tension (N) that a Newton increment leaves behind: a segment of length l that it turns by p / l is
+    stretched by p^2 / (2 l), which the tangent does not see."""
+    stiff = c.stiffness * (c.stiffness * control.stretch[island, 0] + c.damping * control.stretch[island, 1])
+    return stiff * largest * largest
 
 
 @kernel

@@ -51,8 +51,8 @@ class Settings(NamedTuple):
     watch: tuple[tuple[int, int], ...] = ()
 
 
-def control_of(settings: Settings) -> Control:
-    """Translate settings into the constants of the time loop."""
+def control_of(settings: Settings, built: Built) -> Control:
+    """Translate settings into the constants of the time loop; `built` stands where the run starts."""
     orders = {"implicit": 0, "rk2": 2, "rk4": 4}
     if settings.method not in orders:
         raise ValueError(f"method is one of {', '.join(orders)}, not {settings.method!r}")
@@ -68,8 +68,35 @@ def control_of(settings: Settings) -> Control:
         error=settings.tolerance if adaptive else 1e30,
         rho=0.7,
         newton=25.0 * settings.tolerance,
+        leftover=0.25 * settings.tolerance * force_scales(built),
+        stretch=stretch_scales(built),
         iterations=10,
     )
+
+
+def over_islands(built: Built, values) -> np.ndarray:
+    """Return the largest of values (segments, ...) over the lines of each island."""
+    lines = np.maximum.reduceat(values, built.names.segment_ptr[:-1])
+    out = np.zeros((len(built.system.islands.line_ptr) - 1, *np.shape(values)[1:]))
+    np.maximum.at(out, built.island_of_line, lines)
+    return out
+
+
+def force_scales(built: Built) -> np.ndarray:
+    """Return the size of the forces in each island, N: its largest tension now, or the weight of a line."""
+    system, ptr = built.system, built.names.segment_ptr
+    first = np.arange(len(built.names.segment_length)) + np.repeat(np.arange(len(ptr) - 1), np.diff(ptr))
+    span = np.linalg.norm(built.state.position[first + 1] - built.state.position[first], axis=1)
+    tension = system.tension.spring * np.maximum(span - built.names.segment_length, 0.0)
+    dry = -0.5 * (system.weight.dry[first] + system.weight.dry[first + 1])
+    weight = np.add.reduceat(np.abs(dry - system.weight.buoyancy), ptr[:-1])
+    return over_islands(built, np.maximum(tension, np.repeat(weight, np.diff(ptr))))
+
+
+def stretch_scales(built: Built) -> np.ndarray:
+    """Return the largest EA / (2 l^2) and BA / l^2 in each island."""
+    tension = built.system.tension
+    return over_islands(built, np.stack([0.5 * tension.spring, tension.damper], axis=1) / tension.length[:, None])
 
 
 class March:
@@ -77,7 +104,7 @@ class March:
 
     def __init__(self, built: Built, settings: Settings, duration: float):
         self.built, self.settings, self.duration = built, settings, float(duration)
-        self.control = control_of(settings)
+        self.control = control_of(settings, built)
         self.time = 0.0
         self._rows = 0  # output times recorded so far, time 0 included
         self._node_rows = 0

@@ -27,7 +27,9 @@ class Control(NamedTuple):
     step_max: float  # s
     error: float  # accepted h^2 |a1 - a0|, m
     rho: float  # spectral radius at infinite frequency
-    newton: float  # Newton stops at velocity increments below this, m/s
+    newton: float  # Newton stops at velocity increments below this, m/s,
+    leftover: np.ndarray  # (islands,) that leave no more than this tension behind, N, as estimated from
+    stretch: np.ndarray  # (islands, 2) the largest EA / (2 l^2), N/m2, and BA / l^2, N s/m2
     iterations: int  # at most so many, then the step is halved
 
 
