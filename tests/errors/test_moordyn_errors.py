@@ -301,5 +301,5 @@ def test_files_that_are_no_models(tmp_path, content, message):
 def test_missing_file_and_folder(tmp_path):
     with pytest.raises(ModelError, match=r"model file not found: tried .*none.dat\n.*correct the name"):
         read(tmp_path / "none.dat")
-    with pytest.raises(ModelError, match="is a folder"):
+    with pytest.raises(ModelError, match="it is a folder"):
         read(tmp_path)

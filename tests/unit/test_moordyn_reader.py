@@ -27,7 +27,11 @@ def test_small_file(deck):
     model = read(path)
     (line_type,) = model.line_types
     assert (line_type.name, line_type.diameter, line_type.mass_per_length) == ("chain", 0.0766, 113.35)
-    assert (line_type.axial_stiffness, line_type.axial_damping_ratio, line_type.bending_stiffness) == (7.536e8, 0.8, 0.0)
+    assert (line_type.axial_stiffness, line_type.axial_damping_ratio, line_type.bending_stiffness) == (
+        7.536e8,
+        0.8,
+        0.0,
+    )
     assert (line_type.transverse_drag, line_type.transverse_added_mass) == (2.0, 0.8)
     assert (line_type.tangential_drag, line_type.tangential_added_mass) == (0.4, 0.25)
     assert [p.kind for p in model.points] == ["fixed", "coupled"]
@@ -167,7 +171,10 @@ def test_points_with_forces(deck):
     model = read(
         deck(
             ("Mass   Volume   CdA    Ca", "M V FX FY FZ CdA CA"),
-            ("1     Fixed        -837.6    0.0   -200.0   0      0        0      0", "1 Fixed -837.6 0 -200 0 0 0 0 0 0 0"),
+            (
+                "1     Fixed        -837.6    0.0   -200.0   0      0        0      0",
+                "1 Fixed -837.6 0 -200 0 0 0 0 0 0 0",
+            ),
             (POINT_2, "2 Connect -40.868 0 -14 10 0.5 1 2 3 4 5"),
         )
     )
@@ -286,7 +293,12 @@ def test_unused_options_of_both_programs(deck):
 
 @pytest.mark.parametrize(
     ("rows", "flavour"),
-    [(["0.5 CFL"], "MoorDyn-C"), (["0.3 mu_kT"], "MoorDyn-F"), (["9.8 g"], "MoorDyn v2"), (["1 CFL", "0.3 mu_kT"], "MoorDyn v2")],
+    [
+        (["0.5 CFL"], "MoorDyn-C"),
+        (["0.3 mu_kT"], "MoorDyn-F"),
+        (["9.8 g"], "MoorDyn v2"),
+        (["1 CFL", "0.3 mu_kT"], "MoorDyn v2"),
+    ],
 )
 def test_flavour(deck, rows, flavour):
     assert with_options(deck, *rows).flavour == flavour
@@ -414,7 +426,9 @@ def test_version_1(tmp_path, count):
 
 def test_version_1_forces_are_newtons(tmp_path):
     path = tmp_path / "lines.txt"
-    path.write_text(V1.format(count="").replace("-70.00       0        0        0  ", "-70.00       0        0        5  "))
+    path.write_text(
+        V1.format(count="").replace("-70.00       0        0        0  ", "-70.00       0        0        5  ")
+    )
     with pytest.warns(ModelWarning, match="read in newtons"):
         assert read(path).points[1].external_force == (5.0, 0.0, 0.0)
 

@@ -2,13 +2,14 @@
 
 import dataclasses
 import typing
+from pathlib import Path
 
 import pytest
 
 import moorage.model as m
 from moorage.errors import ModelError, Source
 from moorage.io import convert, read, read_native, write_native
-from moorage.io.schema import SCHEMA
+from moorage.io.schema import SCHEMA, as_markdown
 
 FULL = """\
 moorage: 1
@@ -179,3 +180,9 @@ def test_only_remarks(tmp_path):
     path.write_text("# nothing\n")
     with pytest.raises(ModelError, match="is empty"):
         read(path)
+
+
+def test_page_is_made_from_the_schema():
+    page = Path(__file__).parents[2] / "docs" / "native-file.md"
+    made = as_markdown()
+    assert page.read_text("utf-8") == made, "write as_markdown() of moorage.io.schema to docs/native-file.md"

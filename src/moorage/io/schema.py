@@ -176,3 +176,22 @@ SCHEMA: dict[str, dict[str, Key]] = {
         "local": Key("flag", "-", "in the object's axes"),
     },
 }
+
+
+def as_markdown() -> str:
+    """Return the schema as the tables of `docs/native-file.md`."""
+    lines = [
+        "# The native model file",
+        "",
+        "A YAML file (`.yaml`, `.yml`) that says what a MoorDyn file says, with names that can be read and several sections",
+        "for each line. This page is made from the schema that the reader checks with (`moorage.io.schema`).",
+        "",
+        "What is not required has a default. A *curve* is a number, or `{x: [...], y: [...]}`, or `{file: name}` with two",
+        "columns; the z of a *position* may be the word `seabed`; an *end* is a point's number or name, or `rod 1 A`.",
+    ]
+    for name, keys in SCHEMA.items():
+        lines += ["", f"## {name}", "", "| key | value | unit | meaning | required |", "|---|---|---|---|---|"]
+        for key, entry in keys.items():
+            required = "yes" if entry.required else ""
+            lines.append(f"| `{key}` | {entry.kind} | {entry.unit} | {entry.text} | {required} |")
+    return "\n".join(lines) + "\n"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
@@ -34,8 +35,6 @@ def read_text(path: Path, what: str, error: type[Exception] = ModelError, source
         Where the file was named.
     """
     place = source or Source(str(path))
-    if path.is_dir():
-        raise error(Problem(f"{what} {path} is a folder", "give a file", place))
     try:
         data = path.read_bytes()
     except FileNotFoundError:
@@ -43,7 +42,8 @@ def read_text(path: Path, what: str, error: type[Exception] = ModelError, source
             Problem(f"{what} not found: tried {path}", "correct the name, or put the file there", place)
         ) from None
     except (OSError, ValueError) as reason:
-        raise error(Problem(f"{what} cannot be read: {reason}", "give a readable file", place)) from None
+        why = "it is a folder" if os.path.isdir(path) else reason  # unlike Path.is_dir, takes any name
+        raise error(Problem(f"{what} {path} cannot be read: {why}", "give a readable file", place)) from None
     if not data.strip():
         raise error(Problem(f"{what} {path} is empty", "give a file with content", place))
     if _is_binary(data):

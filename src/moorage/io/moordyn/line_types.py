@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import os
 from pathlib import Path
 
 from moorage.errors import Source
@@ -90,7 +91,7 @@ def _stiffness(
         if len(dynamic) != 2:
             found.add(f"{what} is incomplete", "write SYROPE:file|EA_Dc|EA_D_Lm", source, word)
         file = first[len("SYROPE:") :]
-        if not (folder / file).is_file():
+        if not os.path.isfile(folder / file):  # unlike Path.is_file, takes any name
             found.add(f"Syrope file of line type {name} not found", f"tried {folder / file}", source, file)
         return 0.0, values, file
     return _value(first, what, folder, found, source), values, ""
