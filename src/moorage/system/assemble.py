@@ -117,7 +117,7 @@ def node_terms(system, i, hydro, q, r, v, a, z_before, c):
     inertia, inertia_block = inertia_terms(mass + added_normal, mass + added_axial, q, a, c)
     u = sub(v, current_at(system.current, r[2]))
     drag, drag_block = drag_terms(drag_normal, drag_axial, q, u, c)
-    bed, bed_block = seabed_terms(system.seabed, i, r[2], z_before, v[2], c)
+    bed, bed_block = seabed_terms(system.seabed, i, z_before, r[2], v[2], c)
     force = add(inertia, drag)
     vertical = system.weight.dry[i] + bed
     return (force[0], force[1], force[2] + vertical), add_zz(hydro_block(inertia_block, drag_block, q), bed_block)
