@@ -7,6 +7,7 @@ import pytest
 
 from moorage.errors import ModelError, ModelWarning, MotionError
 from moorage.io import read, read_driver
+from moorage.model.motion import rotation_matrices
 
 DRIVER = """\
 MoorDyn driver input file
@@ -78,6 +79,25 @@ def test_angles_turn_yaw_first(driver):
         model = read_driver(driver(("0 0 0 0 0 0 0 0", "0 0 0 0 0 90 0 90"))).model
     # roll takes (-40.868, 0, -14) to (-40.868, 14, 0), yaw that to (-14, -40.868, 0)
     assert model.points[1].position == pytest.approx((-14.0, -40.868, 0.0))
+
+
+def test_offset_of_coupled_bodies_and_rods(driver, deck):
+    bodies = (
+        "--- ROD TYPES ---\nTypeName Diam Mass/m Cd Ca CdEnd CaEnd\n" + "(-) " * 7 + "\ncan 1 1 0 0 0 0\n"
+        "--- BODIES ---\nID Attachment X0 Y0 Z0 r0 p0 y0 Mass CG I Volume CdA Ca\n" + "(-) " * 14 + "\n"
+        "1 Coupled 1 0 0 10 0 0 0 0 0 0 0 0\n2 Free 1 0 0 0 0 0 1 0 0 0 0 0\n"
+        "--- RODS ---\nID RodType Attachment Xa Ya Za Xb Yb Zb NumSegs RodOutputs\n" + "(-) " * 11 + "\n"
+        "1 can Coupled 1 0 0 2 0 0 1 -\n"
+    )
+    deck(("---------------------- POINTS", bodies + "---------------------- POINTS"))
+    with pytest.warns(ModelWarning, match="degrees"):
+        model = read_driver(driver(("0 0 0 0 0 0 0 0", "0 0 0 0 5 0 0 90"))).model
+    coupled, free = model.bodies
+    assert coupled.position == pytest.approx((0.0, 1.0, 5.0))
+    turn = rotation_matrices(np.radians([[0.0, 0.0, 90.0]]))[0] @ rotation_matrices(np.radians([[10.0, 0.0, 0.0]]))[0]
+    assert np.allclose(rotation_matrices(np.array([coupled.rotation]))[0], turn)
+    assert free.position == (1.0, 0.0, 0.0)
+    assert model.rods[0].end_b == pytest.approx((0.0, 2.0, 5.0))
 
 
 def test_motion_is_checked_against_the_model(driver, tmp_path):

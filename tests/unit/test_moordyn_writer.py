@@ -5,7 +5,7 @@ import warnings
 
 import pytest
 
-from moorage.io import read, write_moordyn
+from moorage.io import convert, read, write_moordyn
 from moorage.model import (
     Attachment,
     Bathymetry,
@@ -249,3 +249,60 @@ def test_options_of_the_other_program_are_named(tmp_path):
     assert "option inertialF is not one of MoorDyn-C" in write_moordyn(given, tmp_path / "c.dat", "C")
     assert [o.name for o in read(tmp_path / "c.dat").unused_options] == ["CFL"]
     assert "option CFL is not one of MoorDyn-F" in write_moordyn(given, tmp_path / "f.dat", "F")
+
+
+def test_sections_between_a_body_and_a_rod(tmp_path):
+    given = model(
+        points=(point(1, "fixed", -100, 0, -200), point(2, "fixed", 1, 0, -5, body=1)),
+        bodies=(
+            Body(id=1, kind="free", position=(10.0, 0.0, -10.0), drag_area=(1, 2, 3, 4, 5, 6), added_mass=(1.0,) * 6),
+        ),
+        rod_types=(RodType(name="joint", diameter=1.0, mass_per_length=1.0),),
+        rods=(
+            Rod(id=1, rod_type="joint", kind="fixed", end_a=(0.0, 0.0, -20.0), end_b=(50.0, 0.0, -20.0), segments=2),
+        ),
+        lines=(
+            Line(
+                id=1,
+                sections=(Section(line_type="chain", length=10.0, segments=2),) * 2,
+                end_a=Attachment("rod", 1, "B"),
+                end_b=Attachment("point", 2),
+            ),
+        ),
+        outputs=(OutputChannel(name="ROD1PX"),),
+    )
+    notes = write_moordyn(given, tmp_path / "out.dat")
+    again = read(tmp_path / "out.dat")
+    assert again.points[2].position == pytest.approx((30.5, 0.0, -17.5))
+    assert again.outputs == given.outputs
+    assert "body 1: MoorDyn-C drops the first of several values of CdA" in notes
+    assert "body 1: added inertia about the axes cannot be said" in notes
+
+
+def test_joint_type_takes_a_free_name(tmp_path):
+    given = model(
+        line_types=(dataclasses.replace(CHAIN, bending_stiffness=1e4),),
+        rod_types=(RodType(name="joint", diameter=1.0, mass_per_length=1.0),),
+        rods=(
+            Rod(id=1, rod_type="joint", kind="fixed", end_a=(0.0, 0.0, -20.0), end_b=(50.0, 0.0, -20.0), segments=2),
+        ),
+        lines=(line(1, ("chain", 600.0, 12), ("chain", 200.0, 4)),),
+    )
+    write_moordyn(given, tmp_path / "out.dat")
+    again = read(tmp_path / "out.dat")
+    assert [t.name for t in again.rod_types] == ["joint", "joint_"]
+    assert [r.rod_type for r in again.rods] == ["joint", "joint_"]
+
+
+def test_syrope_file_is_named(tmp_path):
+    (tmp_path / "s.dat").write_text("curves")
+    rope = dataclasses.replace(CHAIN, axial_stiffness=0.0, syrope="s.dat", viscoelastic=(1e8, 2.0))
+    given = model(line_types=(rope,), lines=(line(1, ("chain", 835.35, 20), syrope_tensions=(2.0, 1.0)),))
+    assert any("Syrope" in note for note in write_moordyn(given, tmp_path / "out.dat"))
+    assert dataclasses.replace(read(tmp_path / "out.dat")) == given
+
+
+def test_convert_to_moordyn(tmp_path, deck):
+    convert(deck(), tmp_path / "model.yaml")
+    assert convert(tmp_path / "model.yaml", tmp_path / "again.dat", "F") == []
+    assert read(tmp_path / "again.dat").lines == read(deck()).lines

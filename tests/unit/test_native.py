@@ -167,6 +167,7 @@ def _has_no_default(field: "dataclasses.Field[typing.Any]") -> bool:
         ("line_types:", "line_types: [", "not a YAML file"),
         ("  can: {diameter: 1, mass_per_length: 1000}", "  - can", "rod_types of the model is not a set of names"),
         ("  - {id: 1, rod_type: can", "  - can\n  - {id: 1, rod_type: can", "rod 1 is not an object"),
+        ("x: [-1000, 0], y: [0, 100], depth: [[200, 210], [220, 230]]", "x: [], y: [], depth: []", "does not increase"),
         ("length: 700", "length: -700", "model.yaml:31: length of line 1 must be positive"),
     ],
 )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from moorage.io.text import Findings
 from moorage.model import Model
-from moorage.model.checks import check, problems_of
+from moorage.model.checks import check, depths_are_positive, problems_of
 from moorage.model.seabed import place_on_seabed
 from moorage.model.seabed import raise_to_seabed as raised
 
@@ -14,7 +14,7 @@ def checked(model: Model, found: Findings, raise_to_seabed: bool = False) -> Mod
 
     A place whose text was wrong is not blamed again, and nothing is checked when parts of the model are missing.
     """
-    if not found.problems:
+    if not found.problems and not any(depths_are_positive(model)):
         model = place_on_seabed(model)
         model = raised(model) if raise_to_seabed else model
     if found.problems:

@@ -183,10 +183,10 @@ def as_markdown() -> str:
     lines = [
         "# The native model file",
         "",
-        "A YAML file (`.yaml`, `.yml`) that says what a MoorDyn file says, with names that can be read and several sections",
+        "A YAML file (`.yaml`, `.yml`) that says what a MoorDyn file says, in readable names, with several sections",
         "for each line. This page is made from the schema that the reader checks with (`moorage.io.schema`).",
         "",
-        "What is not required has a default. A *curve* is a number, or `{x: [...], y: [...]}`, or `{file: name}` with two",
+        "What is not required has a default. A *curve* is a number, `{x: [...], y: [...]}`, or `{file: name}` with two",
         "columns; the z of a *position* may be the word `seabed`; an *end* is a point's number or name, or `rod 1 A`.",
     ]
     for name, keys in SCHEMA.items():

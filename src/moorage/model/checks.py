@@ -123,15 +123,13 @@ def line_types_are_possible(model: Model) -> Iterator[Problem]:
     """Diameter and EA are positive, all else is not negative."""
     weak = (
         "mass_per_length axial_damping bending_stiffness bending_damping transverse_drag tangential_drag "
-        "transverse_added_mass tangential_added_mass lift_coefficient viv_range viv_centre viscoelastic dynamic_damping"
+        "transverse_added_mass tangential_added_mass lift_coefficient viv_range viv_centre viscoelastic "
+        "dynamic_damping axial_damping_ratio minimum_bend_radius"
     )
     for line_type in model.line_types:
         name = f"line type {line_type.name}"
         strong = "diameter" if line_type.syrope else "diameter axial_stiffness"
         yield from _signs(line_type, name, line_type.source, strong, weak)
-        for field in ("axial_damping_ratio", "minimum_bend_radius"):
-            if (getattr(line_type, field) or 0.0) < 0.0:
-                yield from _signs(line_type, name, line_type.source, "", field)
         yield from _curves(line_type)
 
 
@@ -271,6 +269,8 @@ def rods_have_length(model: Model) -> Iterator[Problem]:
 
 def anchors_are_not_buried(model: Model) -> Iterator[Problem]:
     """Fixed points stand on the seabed or above."""
+    if any(depths_are_positive(model)):
+        return
     for point in model.points:
         gap = below_seabed(point, model.environment)
         if gap > 0.0:

@@ -144,6 +144,10 @@ class Motion:
         for name in modes:
             if name not in names:
                 raise MotionError(Problem(f"there is no mode {name!r}", f"use one of {', '.join(names)}"))
+        if not modes or any(mode[1] <= 0.0 for mode in modes.values()):
+            raise MotionError(
+                Problem("harmonics need a mode with a positive period", "write surge=(amplitude, period)")
+            )
         step = interval or min(mode[1] for mode in modes.values()) / 40.0
         time = np.linspace(0.0, duration, max(2, int(np.ceil(duration / step)) + 1))
         envelope = np.where(time < ramp, 0.5 * (1.0 - np.cos(np.pi * time / ramp)), 1.0) if ramp > 0 else 1.0

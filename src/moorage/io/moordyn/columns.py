@@ -45,19 +45,15 @@ def records(table: Table, columns: tuple[Column, ...], found: Findings) -> Itera
     """Yield the rows of a section; problems of header and rows are noted and the rows left out."""
     if table.header is None:
         return
-    if not table.rows and table.units is None:
+    if table.units is None:
         found.add("section has no rows", "add column names, units and data, or remove the section", table.header.source)
         return
     keys = _match(table, columns, found)
     if keys is None:
         return
     if _looks_like_data(table.units, keys, columns):
-        found.add(
-            "the row of units is missing (MoorDyn skips the row after the column names)",
-            "add a row of units such as (-)",
-            table.units.source if table.units else table.source,
-            table.units.text.strip() if table.units else None,
-        )
+        message = "the row of units is missing (MoorDyn skips the row after the column names)"
+        found.add(message, "add a row of units such as (-)", table.units.source, table.units.text.strip())
     needed = [k for k, key in enumerate(keys) if key and not _column(columns, key).optional]
     for row in table.rows:
         if max(needed) < len(row.words) <= len(keys):
@@ -125,9 +121,7 @@ def _by_position(
                 keys[k] = standard[k]
 
 
-def _looks_like_data(units: Row | None, keys: list[str], columns: tuple[Column, ...]) -> bool:
-    if units is None:
-        return True
+def _looks_like_data(units: Row, keys: list[str], columns: tuple[Column, ...]) -> bool:
     numeric = [k for k, key in enumerate(keys) if key and not _column(columns, key).text and k < len(units.words)]
     return bool(numeric) and sum(is_number(units.words[k]) for k in numeric) > len(numeric) // 2
 

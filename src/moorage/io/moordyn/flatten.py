@@ -9,8 +9,6 @@ from itertools import accumulate, pairwise
 from moorage.model import Attachment, Curve, Line, Model, OutputChannel, Point, Rod, RodType
 from moorage.model.channels import parse_channel
 
-JOINT = "joint"
-
 
 @dataclasses.dataclass(frozen=True)
 class Flat:
@@ -85,9 +83,10 @@ def _split(model: Model, notes: list[str]) -> Model:
         return model
     lines: list[Line] = []
     points, rods = list(model.points), list(model.rods)
+    joint = _free_name("joint", [t.name for t in model.rod_types])
     pieces: dict[int, list[Line]] = {}
     for line in model.lines:
-        joints = _joints(line, model, points, rods)
+        joints = _joints(line, model, points, rods, joint)
         starts, stops = [line.end_a, *(after for _, after in joints)], [*(before for before, _ in joints), line.end_b]
         pieces[line.id] = [
             Line(
@@ -109,17 +108,21 @@ def _split(model: Model, notes: list[str]) -> Model:
             notes.append(
                 f"line {line.id} of {len(joints) + 1} sections is now lines {first} to {last}, joined by {what}"
             )
-    types = model.rod_types + ((_joint_type(),) if len(rods) > len(model.rods) else ())
-    if not all(len(parts) == 1 for parts in pieces.values()):
-        model = _renumbered_events(model, pieces)
+    made = RodType(name=joint, diameter=0.1, mass_per_length=0.0)
+    types = model.rod_types + ((made,) if len(rods) > len(model.rods) else ())
+    model = _renumbered_events(model, pieces)
     return dataclasses.replace(model, lines=tuple(lines), points=tuple(points), rods=tuple(rods), rod_types=types)
 
 
-def _joint_type() -> RodType:
-    return RodType(name=JOINT, diameter=0.1, mass_per_length=0.0)
+def _free_name(name: str, taken: list[str]) -> str:
+    while name in taken:
+        name += "_"
+    return name
 
 
-def _joints(line: Line, model: Model, points: list[Point], rods: list[Rod]) -> list[tuple[Attachment, Attachment]]:
+def _joints(
+    line: Line, model: Model, points: list[Point], rods: list[Rod], joint: str
+) -> list[tuple[Attachment, Attachment]]:
     """Add the points or rods between the sections of a line, on the chord between its ends.
 
     Returns what the section before a joint and the one after it are tied to.
@@ -134,7 +137,7 @@ def _joints(line: Line, model: Model, points: list[Point], rods: list[Rod]) -> l
         z = max(z, -model.environment.depth_at(x, y))
         if stiff:
             ahead = (x + axis[0], y + axis[1], z + axis[2])
-            rods.append(Rod(id=len(rods) + 1, rod_type=JOINT, kind="free", end_a=(x, y, z), end_b=ahead, segments=0))
+            rods.append(Rod(id=len(rods) + 1, rod_type=joint, kind="free", end_a=(x, y, z), end_b=ahead, segments=0))
             joints.append((Attachment("rod", len(rods), "A"), Attachment("rod", len(rods), "B")))
         else:
             points.append(Point(id=len(points) + 1, kind="free", position=(x, y, z)))
