@@ -1,11 +1,13 @@
 """Motion files of both kinds, and motions resolved into tracks of points."""
 
+import dataclasses
+
 import numpy as np
 import pytest
 
 from moorage.errors import MotionError
 from moorage.io import read, read_motion
-from moorage.model import Motion
+from moorage.model import Control, Motion
 from moorage.model.motion import rotation_matrices
 
 
@@ -90,6 +92,12 @@ def test_bodies_and_rods_come_before_points(deck):
     model = read(deck(("---------------------- POINTS", bodies + "---------------------- POINTS")))
     motion = Motion(np.array([0.0, 1.0]), coupled=np.arange(18.0).reshape(2, 9))
     assert np.array_equal(motion.resolve(model)[2], [[6, 7, 8], [15, 16, 17]])
+
+
+def test_control_channels_have_columns(model):
+    controlled = dataclasses.replace(model, controls=(Control(channel=2, lines=(1,)),))
+    motion = Motion(np.array([0.0, 1.0]), coupled=np.arange(10.0).reshape(2, 5))
+    assert np.array_equal(motion.resolve(controlled)[2], [[0, 1, 2], [5, 6, 7]])
 
 
 @pytest.mark.parametrize(

@@ -229,11 +229,16 @@ class Motion:
 
 
 def coupled_columns(model: Model) -> list[tuple[str, int, int]]:
-    """Return (kind, id, number of columns) of the coupled objects in the order of MoorDyn's input vector."""
+    """Return (kind, id, number of columns) of the coupled objects in the order of MoorDyn's input vector.
+
+    MoorDyn-F's driver wants a column for every control channel too, which it reads and does not use.
+    """
     moved = ("coupled", "coupled-pinned")
     bodies = [("body", body.id, 6) for body in model.bodies if body.kind in moved]
     rods = [("rod", rod.id, 6) for rod in model.rods if rod.kind in moved and rod.body is None]
-    return bodies + rods + [("point", point.id, 3) for point in model.coupled_points]
+    points = [("point", point.id, 3) for point in model.coupled_points]
+    channels = range(1, max((control.channel for control in model.controls), default=0) + 1)
+    return bodies + rods + points + [("control channel", channel, 1) for channel in channels]
 
 
 def rotation_matrices(angles: np.ndarray) -> np.ndarray:
