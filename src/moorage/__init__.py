@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from moorage import io, plot, results
+    from moorage._jit import is_cold
     from moorage.errors import (
         ConvergenceError,
         InputError,
@@ -30,6 +31,7 @@ if TYPE_CHECKING:
     from moorage.io import convert, read
     from moorage.io.motion import Motion
     from moorage.model import Model
+    from moorage.model.unbuilt import unbuilt
     from moorage.results import line, open_result
     from moorage.run import Simulation, simulate, solve_statics, warmup
 
@@ -54,11 +56,13 @@ _HOMES = {
     "Motion": "io.motion",  # this module gives Motion its reader
     "Simulation": "run",
     "convert": "io",
+    "is_cold": "_jit",
     "line": "results",
     "open_result": "results",
     "read": "io",
     "simulate": "run",
     "solve_statics": "run",
+    "unbuilt": "model.unbuilt",
     "warmup": "run",
 }
 
@@ -78,6 +82,7 @@ __all__ = [
     "UnsupportedError",
     "convert",
     "io",
+    "is_cold",
     "line",
     "open_result",
     "plot",
@@ -85,6 +90,7 @@ __all__ = [
     "results",
     "simulate",
     "solve_statics",
+    "unbuilt",
     "warmup",
 ]
 

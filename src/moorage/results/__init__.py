@@ -14,7 +14,7 @@ from moorage.results.index import Index, make_index
 from moorage.results.memory import MemoryResult
 from moorage.results.provenance import fingerprint, run_attributes
 from moorage.results.reader import open_result
-from moorage.results.statistics import LineSummary, Summary, line_summaries
+from moorage.results.statistics import LineSummary, Summary, line_summaries, static_report
 from moorage.results.writer import StreamWriter
 
 __all__ = [
@@ -38,6 +38,7 @@ __all__ = [
     "run_attributes",
     "save_checkpoint",
     "static_dataset",
+    "static_report",
     "to_dataset",
     "watch_list",
 ]

@@ -51,3 +51,26 @@ def line_summaries(ds: xr.Dataset) -> list[LineSummary]:
         )
         for k, id in enumerate(ds["line"].values)
     ]
+
+
+def static_report(ds: xr.Dataset) -> dict[str, object]:
+    """Return a static solution as plain lists and numbers, in N, m and rad, for JSON."""
+    of_line = ("fairlead_tension", "anchor_tension", "minimum_tension", "grounded_length", "anchor_uplift_angle")
+    return {
+        "lines": [
+            {"id": int(id)} | {name: float(ds[name].values[k]) for name in of_line}
+            for k, id in enumerate(ds["line"].values)
+        ],
+        "points": [
+            {
+                "id": int(id),
+                "kind": str(ds["point_kind"].values[k]),
+                "position": ds["point_position"].values[k].tolist(),
+                "force": ds["point_force"].values[k].tolist(),
+            }
+            for k, id in enumerate(ds["point"].values)
+        ],
+        "stiffness": ds["stiffness"].values.tolist(),
+        "residual": float(ds["residual"]),
+        "iterations": int(ds["iterations"]),
+    }

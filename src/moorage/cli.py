@@ -1,0 +1,285 @@
+"""The command line. Each command reads its files, calls one public function, and shows what came out.
+
+Exit codes: 0 done, 2 wrong input, 3 a run or a static solution that failed, 130 interrupted.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import warnings
+from enum import StrEnum
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, NamedTuple
+
+import typer
+from typer.core import TyperGroup
+
+import moorage  # its names are imported when they are used: --help must not wait for numba, xarray and matplotlib
+from moorage import console
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from moorage import Model, Motion
+
+
+class Method(StrEnum):
+    """How to integrate in time."""
+
+    implicit = "implicit"
+    rk2 = "rk2"
+    rk4 = "rk4"
+
+
+class Start(StrEnum):
+    """State at time 0."""
+
+    static = "static"
+    as_given = "as-given"
+
+
+class Save(StrEnum):
+    """What is kept."""
+
+    tensions = "tensions"
+    all = "all"
+
+
+class Flavour(StrEnum):
+    """Whose dialect of MoorDyn's format."""
+
+    C = "C"
+    F = "F"
+
+
+class Guarded(TyperGroup):
+    """Commands whose errors are one readable message and an exit code."""
+
+    def invoke(self, ctx):
+        """Run a command."""
+        with warnings.catch_warnings():
+            warnings.simplefilter("once", moorage.ModelWarning)
+            warnings.showwarning = console.show_warning
+            try:
+                return super().invoke(ctx)
+            except moorage.InputError as error:
+                raise stop(error, 2) from None
+            except (moorage.ConvergenceError, moorage.SimulationError) as error:
+                raise stop(error, 3) from None
+            except KeyboardInterrupt as error:
+                raise stop(str(error) or "interrupted", 130) from None
+            except OSError as error:
+                raise stop(error, 2) from None
+
+
+def stop(message: object, code: int) -> typer.Exit:
+    """Print why a command ends, and return the exit to raise."""
+    console.say(f"error: {message}" if code != 130 else message, "red" if code != 130 else "yellow")
+    return typer.Exit(code)
+
+
+app = typer.Typer(
+    cls=Guarded,
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+    help="Dynamics of mooring lines and power cables: MoorDyn files in, labelled results out.",
+)
+
+ModelFile = Annotated[
+    Path, typer.Argument(metavar="FILE", help="Model: MoorDyn v2 or v1, MoorDyn-F driver, or native YAML.")
+]
+ResultFile = Annotated[Path, typer.Argument(metavar="RESULT.nc", help="What a run wrote.")]
+Raise = Annotated[bool, typer.Option("--raise-to-seabed", help="Move fixed points that are below the seabed up to it.")]
+
+
+def print_version(asked: bool) -> None:
+    """Print the version and leave."""
+    if asked:
+        typer.echo(f"moorage {moorage.__version__}")
+        raise typer.Exit
+
+
+@app.callback()
+def common(
+    version: Annotated[
+        bool, typer.Option("--version", callback=print_version, is_eager=True, help="Print the version.")
+    ] = False,
+) -> None:
+    """Take the options of all commands."""
+
+
+@app.command()
+def run(
+    file: ModelFile,
+    motion: Annotated[Path | None, typer.Option(help="Motion of the coupled points (CSV or MoorDyn-F).")] = None,
+    duration: Annotated[float | None, typer.Option(help="Time to simulate, s (default: that of the motion).")] = None,
+    dt_out: Annotated[float | None, typer.Option(help="Interval of results, s (default: the file's, or 0.1).")] = None,
+    tolerance: Annotated[float | None, typer.Option(help="Error of a step in position, m (default: 0.002).")] = None,
+    time_step: Annotated[float | None, typer.Option(help="Constant step, s, instead of the adaptive one.")] = None,
+    method: Annotated[Method, typer.Option(help="Time integration; rk2 and rk4 need --time-step.")] = Method.implicit,
+    start: Annotated[Start | None, typer.Option(help="State at time 0 (default: what the file says).")] = None,
+    save: Annotated[Save, typer.Option(help="Keep tensions only, or node and segment histories too.")] = Save.all,
+    dt_nodes: Annotated[float | None, typer.Option(help="Interval of node histories, s (default: --dt-out).")] = None,
+    resume: Annotated[bool, typer.Option("--resume", help="Go on where an interrupted run stopped.")] = False,
+    output: Annotated[Path | None, typer.Option("-o", metavar="OUT.nc", help="Result (default: FILE's name).")] = None,
+    raise_to_seabed: Raise = False,
+) -> None:
+    """Simulate a mooring in time; write a NetCDF file and a figure, and print a table."""
+    if tolerance is not None and time_step is not None:
+        raise typer.BadParameter("give --tolerance or --time-step, not both")
+    case = read_case(file, motion, duration, raise_to_seabed)
+    target = Path(f"{file.stem}.nc") if output is None else output
+    announce_compiling()
+    try:
+        with console.progress_bar() as progress:
+            ds = moorage.simulate(
+                case.model,
+                duration=case.duration,
+                motion=case.motion,
+                dt_out=case.dt_out if dt_out is None else dt_out,
+                dt_nodes=dt_nodes,
+                tolerance=tolerance,
+                time_step=time_step,
+                method=method.value,
+                start=start.value if start else None,
+                save=save.value,
+                output=target,
+                resume=resume,
+                progress=progress,
+            )
+    except moorage.RunInterrupted as error:
+        message = f"stopped at {error.time:g} s of {case.duration:g} s; results up to there are in {target}\n"
+        raise stop(message + "    -> go on with the same command and --resume", 130) from None
+    except moorage.SimulationError as error:
+        raise stop(f"{error}\nresults up to {error.time:g} s are in {target}", 3) from None
+    show_run(ds)
+    picture = target.with_suffix(".png")
+    moorage.plot.save_figure(ds, picture)
+    console.out.print(f"results {target}\nfigure  {picture}", markup=False, soft_wrap=True)
+
+
+@app.command()
+def static(
+    file: ModelFile,
+    as_json: Annotated[bool, typer.Option("--json", help="Print JSON, in N, m and rad.")] = False,
+    raise_to_seabed: Raise = False,
+) -> None:
+    """Solve for static equilibrium; print tensions, forces, and the stiffness of the coupled points as one platform."""
+    model = moorage.read(file, raise_to_seabed)
+    announce_compiling()
+    ds = moorage.solve_statics(model)
+    if as_json:
+        typer.echo(json.dumps(moorage.results.static_report(ds), indent=2))
+    else:
+        console.static_tables(ds)
+
+
+@app.command()
+def check(file: ModelFile, raise_to_seabed: Raise = False) -> None:
+    """Read a model and print what it holds, which options mean nothing here, and what is not simulated yet."""
+    model = moorage.read(file, raise_to_seabed)
+    console.model_summary(model)
+    if model.unused_options:
+        console.out.print("\noptions that are not used here", style="bold")
+        console.fact_table({f"{o.name} {o.value}": o.reason for o in model.unused_options})
+    missing = moorage.unbuilt(model)
+    if missing:
+        console.out.print("\nnot simulated yet", style="bold")
+        for problem in missing:
+            console.out.print(str(problem), markup=False, soft_wrap=True)
+        raise typer.Exit(2)
+    console.out.print("\nno problems: this can be run", style="green")
+
+
+@app.command()
+def info(result: ResultFile) -> None:
+    """Print where a result comes from, and its statistics."""
+    show_run(moorage.open_result(result))
+
+
+@app.command()
+def plot(
+    result: ResultFile,
+    output: Annotated[Path | None, typer.Option("-o", metavar="PNG", help="Picture (default: RESULT.png).")] = None,
+) -> None:
+    """Draw fairlead tensions over time and the profile of each mooring."""
+    picture = result.with_suffix(".png") if output is None else output
+    moorage.plot.save_figure(moorage.open_result(result), picture)
+    console.out.print(f"figure {picture}", markup=False, soft_wrap=True)
+
+
+@app.command()
+def convert(
+    file: ModelFile,
+    out: Annotated[Path, typer.Argument(metavar="OUT", help="Native when it ends in .yaml or .yml, else MoorDyn v2.")],
+    flavour: Annotated[Flavour, typer.Option(help="Dialect of a MoorDyn file.")] = Flavour.C,
+    raise_to_seabed: Raise = False,
+) -> None:
+    """Write a model in the other format, and list what that cannot say."""
+    notes = moorage.convert(file, out, flavour.value, raise_to_seabed)
+    for note in notes:
+        console.out.print(f"note: {note}", markup=False, soft_wrap=True)
+    console.out.print(f"wrote {out}", markup=False, soft_wrap=True)
+
+
+@app.command()
+def warmup() -> None:
+    """Compile the kernels now, so that the next run starts at once."""
+    announce_compiling()
+    console.out.print(f"kernels are ready ({moorage.warmup():.1f} s)")
+
+
+class Case(NamedTuple):
+    """A model with what a driver file or the command line says about its run."""
+
+    model: Model
+    motion: Motion | None
+    duration: float
+    dt_out: float | None
+
+
+def read_case(file: Path, motion: Path | None, duration: float | None, raise_to_seabed: bool) -> Case:
+    """Read a model or a driver file; what the command line says comes first."""
+    if file.is_file() and moorage.io.is_driver(file.read_text(errors="replace")):
+        driver = moorage.io.read_driver(file, raise_to_seabed)
+        case = Case(driver.model, driver.motion, driver.duration, driver.interval)
+    else:
+        case = Case(moorage.read(file, raise_to_seabed), None, 0.0, None)
+    if motion is not None:
+        moved = moorage.io.read_motion(motion, case.model)
+        case = case._replace(motion=moved, duration=moved.duration)
+    if duration is None and not case.duration:
+        raise typer.BadParameter("there is no motion to take it from; give seconds", param_hint="--duration")
+    return case._replace(
+        duration=case.duration if duration is None else duration, dt_out=case.model.output_interval or case.dt_out
+    )
+
+
+def announce_compiling() -> None:
+    """Say why the first run takes long."""
+    if moorage.is_cold():
+        console.say("compiling the kernels for this machine, once (about half a minute) ...")
+
+
+def show_run(ds: xr.Dataset) -> None:
+    """Print what a result says of its run, and the table of its lines."""
+    console.run_summary(ds.attrs)
+    console.line_table(moorage.results.line_summaries(ds), str(ds.attrs["start"]))
+
+
+def main() -> None:
+    """Run the command line; a bug shows its traceback only with MOORAGE_DEBUG=1."""
+    try:
+        app()
+    except Exception as error:
+        if os.environ.get("MOORAGE_DEBUG") == "1":
+            raise
+        message = f"this is a bug, not your input: {type(error).__name__}: {error}"
+        console.say(f"error: {message}\n    -> please report it with the output of MOORAGE_DEBUG=1", "red")
+        raise SystemExit(1) from None
+
+
+if __name__ == "__main__":
+    main()

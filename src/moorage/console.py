@@ -1,0 +1,181 @@
+"""What a terminal shows: tables, the progress bar and messages. Takes plain rows and datasets, computes nothing."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager
+from math import degrees
+from typing import TYPE_CHECKING, Any
+
+from rich.console import Console
+from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
+from rich.table import Table
+
+from moorage.errors import ModelWarning
+
+if TYPE_CHECKING:  # xarray is heavy, and --help must be light
+    import xarray as xr
+
+    from moorage.model import Model
+    from moorage.results import LineSummary
+
+out, err = Console(highlight=False), Console(stderr=True, highlight=False)
+
+
+def say(text: object, style: str = "") -> None:
+    """Print a message for people on stderr, as it is."""
+    err.print(str(text), style=style, markup=False, soft_wrap=True)
+
+
+def show_warning(message, category, filename, lineno, file=None, line=None) -> None:
+    """Print warnings of the model as one readable line, others as Python does."""
+    if issubclass(category, ModelWarning):
+        say(f"warning: {message}", "yellow")
+    else:
+        say(warnings.formatwarning(message, category, filename, lineno, line).strip())
+
+
+@contextmanager
+def progress_bar() -> Iterator:
+    """Give a function (time, duration, wall time) that moves a bar with time, speed and what remains."""
+    columns = (
+        TextColumn("{task.completed:8.1f} of {task.total:g} s"),
+        BarColumn(),
+        TextColumn("{task.fields[speed]} x real time"),
+        TimeRemainingColumn(compact=True),
+    )
+    with Progress(*columns, console=err) as bar:
+        task = bar.add_task("run", total=None, visible=False, speed="")
+
+        def move(time: float, duration: float, wall: float) -> None:
+            ratio = time / max(wall, 1e-9)
+            speed = f"{ratio:.0f}" if ratio > 10.0 else f"{ratio:.2g}"
+            bar.update(task, completed=time, total=duration, speed=speed, visible=True)
+
+        yield move
+
+
+def run_summary(attrs: Mapping[str, Any]) -> None:
+    """Print where a result comes from and how its run went, from its attributes."""
+    step = attrs["time_step"]
+    stepping = f"tolerance {attrs['tolerance']:g} m" if step == "adaptive" else f"step {step:g} s"
+    fact_table(
+        {
+            "title": attrs["title"],
+            "input": f"{attrs['input_file']} ({attrs['input_format']})",
+            "motion": attrs["motion"],
+            "run": f"{attrs['duration']:g} s, results every {attrs['dt_out']:g} s, start {attrs['start']}",
+            "method": f"{attrs['method']}, {stepping}"
+            + (f": {attrs['steps']} steps, {attrs['rejected']} rejected" if "steps" in attrs else ""),
+            "moorage": f"{attrs['moorage_version']}, {attrs['date']}",
+            "status": "killed before it was complete" if attrs["status"] == "running" else attrs["status"],
+        }
+    )
+
+
+def line_table(rows: Iterable[LineSummary], start: str) -> None:
+    """Print the statistics of every line."""
+    rows = list(rows)
+    unit, scale = tension_unit(max((max(r.fairlead.maximum, r.anchor.maximum) for r in rows), default=0.0))
+    first = "static" if start == "static" else "at 0 s"
+    table = _table(
+        f"\nTension at the ends and lowest tension in the line ({unit}),\n"
+        "largest uplift at the anchor (deg), shortest grounded length (m)",
+        ["line", "end", first, "min", "mean", "max", "std", "lowest", "uplift", "grounded"],
+    )
+    for row in rows:
+        table.add_row(str(row.line), "fairlead", *(f"{v / scale:.1f}" for v in row.fairlead))
+        rest = (f"{row.lowest_tension / scale:.1f}", f"{degrees(row.uplift):.1f}", f"{row.grounded:.1f}")
+        table.add_row("", "anchor", *(f"{v / scale:.1f}" for v in row.anchor), *rest)
+    _print(table)
+
+
+def static_tables(ds: xr.Dataset) -> None:
+    """Print a static solution: lines, held points, stiffness, verdict."""
+    unit, scale = tension_unit(float(ds["fairlead_tension"].max()))
+    table = _table(
+        f"Static equilibrium ({unit}, deg, m)",
+        ["line", "fairlead B", "anchor A", "lowest", "uplift", "grounded"],
+    )
+    columns = ("fairlead_tension", "anchor_tension", "minimum_tension")
+    for k, id in enumerate(ds["line"].values):
+        tensions = [f"{float(ds[name][k]) / scale:.2f}" for name in columns]
+        uplift, grounded = degrees(float(ds["anchor_uplift_angle"][k])), float(ds["grounded_length"][k])
+        table.add_row(str(id), *tensions, f"{uplift:.1f}", f"{grounded:.1f}")
+    _print(table)
+    table = _table(f"\nForce of the lines on each point ({unit})", ["point", "kind", "x", "y", "z", "Fx", "Fy", "Fz"])
+    for k, id in enumerate(ds["point"].values):
+        position = [f"{v:.2f}" for v in ds["point_position"].values[k]]
+        force = [f"{v / scale:.2f}" for v in ds["point_force"].values[k]]
+        table.add_row(str(id), str(ds["point_kind"].values[k]), *position, *force)
+    _print(table)
+    table = _table("\nStiffness of the coupled points as one platform (N, m, rad)", ["", *map(str, ds["dof"].values)])
+    for name, row in zip(ds["dof"].values, ds["stiffness"].values, strict=True):
+        table.add_row(str(name), *(f"{v:.3e}" for v in row))
+    _print(table)
+    out.print(f"\nlargest out-of-balance force {float(ds['residual']):.2e} N after {int(ds['iterations'])} iterations")
+
+
+def model_summary(model: Model) -> None:
+    """Print what a model holds."""
+    kinds = [point.kind for point in model.points]
+    counts = ", ".join(f"{kinds.count(kind)} {kind}" for kind in ("fixed", "coupled", "free") if kind in kinds)
+    facts = {
+        "format": model.flavour,
+        "title": model.title,
+        "water": f"depth {model.environment.water_depth:g} m, density {model.environment.water_density:g} kg/m3, "
+        f"gravity {model.environment.gravity:g} m/s2",
+        "lines": f"{len(model.lines)}, {sum(line.segments for line in model.lines)} segments, "
+        f"{sum(line.length for line in model.lines):g} m",
+        "line types": ", ".join(t.name for t in model.line_types),
+        "points": f"{len(model.points)} ({counts})",
+        "rods": str(len(model.rods) or ""),
+        "bodies": str(len(model.bodies) or ""),
+        "start": model.start,
+        "channels": ", ".join(output.name for output in model.outputs),
+    }
+    fact_table(facts)
+
+
+def fact_table(facts: dict[str, str]) -> None:
+    """Print names and what they are, leaving out the empty ones."""
+    table = Table(box=None, show_header=False, pad_edge=False)
+    table.add_column(style="bold", no_wrap=True)
+    table.add_column(overflow="fold")
+    for name, text in facts.items():
+        if text:
+            table.add_row(name, _plain(text))
+    out.print(table)
+
+
+def tension_unit(largest: float) -> tuple[str, float]:
+    """Return kN for large forces and N for small ones, with the factor to N."""
+    return ("kN", 1e3) if largest > 1e4 else ("N", 1.0)
+
+
+def _plain(text: str) -> str:
+    return text.replace("[", r"\[")
+
+
+def _table(title: str, columns: list[str]) -> Table:
+    table = Table(
+        title=title,
+        title_justify="left",
+        title_style="bold",
+        box=None,
+        padding=(0, 1),
+        collapse_padding=True,
+        pad_edge=False,
+    )
+    for column in columns:
+        words = column in ("line", "end", "point", "kind", "")
+        table.add_column(column, justify="left" if words else "right", no_wrap=True)
+    return table
+
+
+def _print(table: Table) -> None:
+    """Print a table as wide as its numbers need: a narrow terminal must not cut them."""
+    out.print(
+        table, width=max(out.width, out.measure(table, options=out.options.update(width=1000)).maximum), crop=False
+    )

@@ -1,0 +1,25 @@
+"""Colours and a bare figure: Okabe and Ito's palette, told apart by the colour-blind and in print."""
+
+from __future__ import annotations
+
+from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+
+COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
+WATER, SEABED, QUIET = "#56B4E9", "#8C7B6B", "#9AA0A6"
+
+
+def new_figure(width: float, height: float) -> Figure:
+    """Return an empty figure, in inches, that needs no display and no pyplot."""
+    figure = Figure(figsize=(width, height), layout="constrained", dpi=150)
+    FigureCanvasAgg(figure)
+    return figure
+
+
+def plain(ax: Axes) -> None:
+    """Take away what carries nothing."""
+    ax.spines[["top", "right"]].set_visible(False)
+    ax.grid(True, color="#E3E5E8", linewidth=0.6)
+    ax.set_axisbelow(True)
+    ax.tick_params(labelsize=8)
