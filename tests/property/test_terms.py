@@ -1,0 +1,370 @@
+"""Every force term by itself: its tangent is the derivative of its force, its force the gradient of its energy.
+
+Tangents are compared with central differences. With a step h of 1e-5 to 1e-6 of the variable's size, truncation and
+rounding both stay below 1e-8 of the largest entry; TIGHT allows ten times that.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from dense import DAMPING, MASS, STIFFNESS, full
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+from moorings import curve
+
+from moorage.layout import Weights
+from moorage.physics.bending import Bending, bending_terms, node_blocks
+from moorage.physics.current import Current, current_at
+from moorage.physics.morison import Morison, drag_terms, hydro_block, inertia_terms, wet_node, wet_part
+from moorage.physics.motion import follow, spline_tracks
+from moorage.physics.point import PointLoads, point_terms, wet_fraction
+from moorage.physics.seabed import Seabed, contact_fraction, seabed_energy, seabed_terms
+from moorage.physics.table import build_tables, interval, look_up
+from moorage.physics.tension import Tension, damping, elastic, segment_tension, tension_energy, tension_terms
+from moorage.physics.weight import wet_shares
+
+TIGHT = 1e-7
+FEW = settings(max_examples=25, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
+UNIT = st.floats(-1.0, 1.0)
+VECTORS = st.tuples(UNIT, UNIT, UNIT).filter(lambda v: np.linalg.norm(v) > 0.1)
+
+
+def derivative(function, x, h=1e-6):
+    """Central differences of a function of a vector: d f_i / d x_k."""
+    x = np.array(x, float)
+    columns = []
+    for k in range(len(x)):
+        d = np.zeros(len(x))
+        d[k] = h
+        columns.append((np.array(function(*(x + d))) - np.array(function(*(x - d)))) / (2.0 * h))
+    return np.array(columns).T
+
+
+def agree(a, b, tolerance=TIGHT, scale=None):
+    a, b = np.asarray(a), np.asarray(b)
+    size = np.abs(b).max() if scale is None else scale
+    assert np.abs(a - b).max() <= tolerance * max(size, 1e-300), f"{a} is not {b}"
+
+
+# --- tension --------------------------------------------------------------------------------------------------------
+
+SPRING = curve((0.0, 0.0), (0.01, 2e4), (0.03, 5e4), (0.2, 1e6))
+DAMPER = curve((0.0, 0.0), (0.1, 1e3), (1.0, 4e3))
+# 0: linear, 1: tabulated spring, 2: tabulated damper, 3: a segment that can push
+SEGMENTS = Tension(
+    np.full(4, 2.0),
+    np.array([1e6, 1e6, 1e6, 1e6]),
+    np.array([3e3, 3e3, 0.0, 3e3]),
+    np.array([0.0, 0.0, 0.0, -1e30]),
+    np.array([-1, 0, -1, -1]),
+    np.array([-1, -1, 1, -1]),
+    build_tables([SPRING, DAMPER]),
+)
+STRETCHES = st.sampled_from([-0.05, 0.004, 0.015, 0.041, 0.3])  # relative to 2 m; none on a corner of the table
+
+
+def spanning(direction, stretch):
+    e = np.array(direction) / np.linalg.norm(direction)
+    return tuple(2.0 * (1.0 + stretch) * e)
+
+
+@FEW
+@given(st.integers(0, 3), VECTORS, STRETCHES)
+def test_tension_tangent_is_the_derivative_of_the_pull(j, direction, stretch):
+    j, e, still = np.uintp(j), spanning(direction, stretch), (0.0, 0.0, 0.0)
+    block = full(tension_terms(SEGMENTS, j, e, still, STIFFNESS)[1])
+    agree(block, derivative(lambda *x: tension_terms(SEGMENTS, j, x, still, STIFFNESS)[0], e), 1e-6)
+
+
+@FEW
+@given(st.integers(0, 3), VECTORS, STRETCHES, VECTORS)
+def test_tension_damping_block_is_the_derivative_to_the_rate(j, direction, stretch, rate):
+    j, e = np.uintp(j), spanning(direction, stretch)
+    block = full(tension_terms(SEGMENTS, j, e, rate, DAMPING)[1])
+    agree(block, derivative(lambda *x: tension_terms(SEGMENTS, j, e, x, DAMPING)[0], rate), 1e-6)
+
+
+@FEW
+@given(VECTORS, STRETCHES)
+def test_pull_is_the_gradient_of_the_elastic_energy(direction, stretch):
+    """The pull on the first node is +dU/de: U falls when the first node moves along e."""
+    j, e = np.uintp(0), spanning(direction, stretch)
+    pull = tension_terms(SEGMENTS, j, e, (0.0, 0.0, 0.0), STIFFNESS)[0]
+    gradient = derivative(lambda *x: [tension_energy(SEGMENTS, j, x)], e)[0]
+    agree(pull, gradient, 1e-6, max(np.linalg.norm(gradient), 1.0))
+
+
+@FEW
+@given(VECTORS, STRETCHES, VECTORS)
+def test_damping_never_feeds_energy(direction, stretch, rate):
+    e = spanning(direction, stretch)
+    along = np.dot(e, rate) / np.linalg.norm(e)
+    for j in (0, 2):
+        assert damping(SEGMENTS, np.uintp(j), along)[0] * along >= 0.0
+
+
+def test_slack_segment_has_no_elastic_pull_and_a_table_starts_at_zero():
+    assert elastic(SEGMENTS, np.uintp(0), -0.3) == (0.0, 0.0)
+    assert elastic(SEGMENTS, np.uintp(1), -0.3) == (0.0, 0.0)
+    assert elastic(SEGMENTS, np.uintp(3), -0.3)[0] == pytest.approx(-3e5)
+    assert segment_tension(SEGMENTS, np.uintp(1), (2.04, 0.0, 0.0), (0.0, 0.0, 0.0)) == pytest.approx(3.5e4)
+
+
+# --- tables ---------------------------------------------------------------------------------------------------------
+
+
+@FEW
+@given(st.lists(st.floats(-5.0, 5.0), min_size=2, max_size=8, unique=True), st.floats(-6.0, 6.0))
+def test_table_is_linear_between_rows_and_goes_on_with_the_slope_of_its_ends(x, value):
+    x = np.sort(np.round(x, 3))
+    if np.diff(x).min() <= 0.0:
+        return
+    y = np.sin(3.0 * x)
+    tables = build_tables([curve((0.0, 0.0), (1.0, 1.0)), curve(*zip(x, y, strict=True))])
+    found, slope = look_up(tables, 1, value)
+    k = int(np.clip(np.searchsorted(x, value, side="right") - 1, 0, len(x) - 2))
+    expected = (y[k + 1] - y[k]) / (x[k + 1] - x[k])
+    assert slope == pytest.approx(expected, rel=1e-12, abs=1e-12)
+    assert found == pytest.approx(y[k] + expected * (value - x[k]), rel=1e-9, abs=1e-12)
+    assert interval(tables.x, 2, 2 + len(x), value) == 2 + k
+
+
+# --- bending --------------------------------------------------------------------------------------------------------
+
+BEND = Bending(np.array([4e3]))
+
+
+def bend_energy(e1, e2):
+    """The energy (4 EI / l)(1 - cos(a/2)) with a the angle between the segments."""
+    c = np.dot(e1, e2) / np.linalg.norm(e1) / np.linalg.norm(e2)
+    return 4.0 * BEND.stiffness[0] * (1.0 - np.sqrt(0.5 * (1.0 + c)))
+
+
+@FEW
+@given(VECTORS, VECTORS)
+def test_bending_is_gradient_and_hessian_of_its_energy(e1, bend):
+    e2 = tuple(np.array(e1) * 1.3 + 0.5 * np.array(bend))
+    if np.dot(e1, e2) < -0.9 * np.linalg.norm(e1) * np.linalg.norm(e2):
+        return  # folded back: the energy has a corner there
+    i = np.uintp(0)
+    d1, d2, H11, H22, H12 = bending_terms(BEND, i, e1, e2, 1.0)
+    scale = 4e3 / min(np.linalg.norm(e1), np.linalg.norm(e2)) ** 2
+    agree(d1, derivative(lambda *x: [bend_energy(x, e2)], e1)[0], 1e-6, scale)
+    agree(d2, derivative(lambda *x: [bend_energy(e1, x)], e2)[0], 1e-6, scale)
+    agree(full(H11), derivative(lambda *x: bending_terms(BEND, i, x, e2, 1.0)[0], e1), 1e-6, scale)
+    agree(full(H22), derivative(lambda *x: bending_terms(BEND, i, e1, x, 1.0)[1], e2), 1e-6, scale)
+    agree(np.reshape(H12, (3, 3)), derivative(lambda *x: bending_terms(BEND, i, e1, x, 1.0)[0], e2), 1e-6, scale)
+
+
+def test_straight_node_does_not_bend_and_a_folded_one_stays_finite():
+    d1, d2, *_ = bending_terms(BEND, np.uintp(0), (1.0, 0.0, 0.0), (2.0, 0.0, 0.0), 1.0)
+    assert np.abs([d1, d2]).max() == 0.0
+    folded = bending_terms(BEND, np.uintp(0), (1.0, 0.0, 0.0), (-1.0, 0.0, 0.0), 1.0)
+    assert all(np.isfinite(part).all() for part in folded)
+
+
+def test_bending_blocks_of_the_nodes_add_up_to_zero():
+    """A translation of all three nodes costs nothing: every row of the blocks sums to zero."""
+    _, _, H11, H22, H12 = bending_terms(BEND, np.uintp(0), (1.0, 0.2, -0.1), (0.9, -0.3, 0.4), 1.0)
+    middle, before, after, H21 = node_blocks(H11, H22, H12)
+    A, B, C = full(H11), full(middle), full(H22)
+    P, Q, R = (np.reshape(m, (3, 3)) for m in (before, after, H21))
+    for row in (A + P.T - R.T, P + B + Q.T, -R + Q + C):
+        agree(row, np.zeros((3, 3)), 1e-12, np.abs(B).max())
+
+
+# --- weight and buoyancy --------------------------------------------------------------------------------------------
+
+LEVELS = st.floats(-1.5, 1.5)
+
+
+@FEW
+@given(LEVELS, LEVELS)
+def test_wet_shares_derive_from_a_potential(z0, z1):
+    """Their derivatives are those stated; that they are symmetric makes buoyancy the gradient of an energy."""
+    radius = 0.3
+    share0, share1, d00, d01, d11 = wet_shares(radius, z0, z1)
+    D = derivative(lambda *z: wet_shares(radius, *z)[:2], (z0, z1), 1e-7)
+    flat = abs(z1 - z0) < 1e-5  # there the stated derivatives belong to a slightly sloping segment
+    agree([[d00, d01], [d01, d11]], D, 1e-3 if flat else 1e-6, 1.0 / radius)
+    assert 0.0 <= share0 <= 0.5 + 1e-12
+    assert 0.0 <= share1 <= 0.5 + 1e-12
+
+
+@FEW
+@given(LEVELS, LEVELS)
+def test_wet_shares_are_the_integral_of_the_wet_fraction(z0, z1):
+    """Against the midpoint rule with 20000 points (error below 1e-8) of N(t) phi(z(t))."""
+    radius, n = 0.3, 20000
+    t = (np.arange(n) + 0.5) / n
+    phi = np.clip(0.5 - 0.5 * (z0 + t * (z1 - z0)) / radius, 0.0, 1.0)
+    agree(wet_shares(radius, z0, z1)[:2], [np.mean((1.0 - t) * phi), np.mean(t * phi)], 1e-6, 1.0)
+
+
+@pytest.mark.parametrize("z", [-0.31, -0.3, -0.1, 0.0, 0.2, 0.3, 0.31])
+def test_level_segment_has_equal_shares(z):
+    share0, share1, *_ = wet_shares(0.3, z, z)
+    assert share0 == pytest.approx(share1, abs=1e-7)
+    assert share0 + share1 == pytest.approx(np.clip(0.5 - 0.5 * z / 0.3, 0.0, 1.0), abs=1e-8)
+
+
+# --- inertia and drag -----------------------------------------------------------------------------------------------
+
+
+@FEW
+@given(VECTORS, VECTORS)
+def test_inertia_block_is_minus_the_derivative_to_the_acceleration(direction, a):
+    q = tuple(np.array(direction) / np.linalg.norm(direction))
+    still = drag_terms(0.0, 0.0, q, (0.0, 0.0, 0.0), MASS)[1]
+    block = hydro_block(inertia_terms(120.0, 50.0, q, a, MASS)[1], still, q)
+    agree(full(block), -derivative(lambda *x: inertia_terms(120.0, 50.0, q, x, MASS)[0], a), TIGHT)
+
+
+@FEW
+@given(VECTORS, VECTORS)
+def test_drag_block_is_minus_the_derivative_to_the_velocity(direction, u):
+    q = tuple(np.array(direction) / np.linalg.norm(direction))
+    if min(abs(np.dot(q, u)), np.linalg.norm(np.cross(q, u))) < 1e-2:
+        return  # |u| u has a corner of its second derivative at zero
+    none = inertia_terms(0.0, 0.0, q, u, DAMPING)[1]
+    block = hydro_block(none, drag_terms(300.0, 40.0, q, u, DAMPING)[1], q)
+    agree(full(block), -derivative(lambda *x: drag_terms(300.0, 40.0, q, x, DAMPING)[0], u), 1e-6)
+
+
+@FEW
+@given(VECTORS, VECTORS)
+def test_drag_opposes_the_motion_and_is_made_of_its_two_parts(direction, u):
+    q = np.array(direction) / np.linalg.norm(direction)
+    force = np.array(drag_terms(300.0, 40.0, tuple(q), u, DAMPING)[0])
+    uq = np.dot(u, q) * q
+    ut = np.array(u) - uq
+    agree(force, -300.0 * np.linalg.norm(ut) * ut - 40.0 * np.linalg.norm(uq) * uq, 1e-12)
+    assert np.dot(force, u) <= 0.0
+
+
+def test_still_water_gives_no_drag_and_a_finite_block():
+    force, block = drag_terms(300.0, 40.0, (1.0, 0.0, 0.0), (0.0, 0.0, 0.0), DAMPING)
+    assert force == (0.0, 0.0, 0.0)
+    assert np.isfinite(np.array(block[:3])).all()
+
+
+def test_wet_parts_of_a_node_lie_between_dry_and_wet():
+    segment = np.array([[2.0, 1.0, 6.0, 3.0], [4.0, 2.0, 8.0, 5.0]])
+    p = Morison(np.array([10.0]), 0.5 * segment.sum(axis=0)[None], segment)
+    i, j0, j1 = np.uintp(0), np.uintp(0), np.uintp(1)
+    assert wet_part(p, i, j0, 0.5, j1, 0.5) == wet_node(p, i)
+    assert wet_part(p, i, j0, 0.0, j1, 0.0) == (0.0, 0.0, 0.0, 0.0)
+    assert wet_part(p, i, j0, 0.5, j1, 0.25) == pytest.approx(tuple(0.5 * segment[0] + 0.25 * segment[1]))
+
+
+# --- seabed ---------------------------------------------------------------------------------------------------------
+
+BED = Seabed(np.array([5e3]), np.array([700.0]), -20.0)
+PENETRATIONS = st.floats(-0.5, 0.5).filter(lambda d: abs(d) > 1e-3)
+
+
+@FEW
+@given(PENETRATIONS, PENETRATIONS, UNIT)
+def test_seabed_tangents_are_derivatives_with_the_start_of_the_step_held(before, depth, vz):
+    i, z0, z = np.uintp(0), -20.0 - before, -20.0 - depth
+    if abs(depth - before) < 1e-2:
+        return
+    K = seabed_terms(BED, i, z0, z, vz, STIFFNESS)[1]
+    C = seabed_terms(BED, i, z0, z, vz, DAMPING)[1]
+    agree([K], -derivative(lambda x: [seabed_terms(BED, i, z0, x, vz, STIFFNESS)[0]], [z])[0], 1e-6, 5e3)
+    agree([C], -derivative(lambda x: [seabed_terms(BED, i, z0, z, x, DAMPING)[0]], [vz])[0], 1e-6, 700.0)
+
+
+@FEW
+@given(PENETRATIONS)
+def test_bed_pushes_with_minus_the_gradient_of_its_energy(depth):
+    i, z = np.uintp(0), -20.0 - depth
+    force = seabed_terms(BED, i, z, z, 0.0, STIFFNESS)[0]
+    agree([force], -derivative(lambda x: [seabed_energy(BED, i, x)], [z])[0], 1e-6, 5e3)
+
+
+@FEW
+@given(PENETRATIONS, PENETRATIONS)
+def test_contact_fraction_is_the_time_below_the_bed_on_a_straight_path(before, depth):
+    fraction, slope = contact_fraction(before, depth)
+    path = before + (depth - before) * (np.arange(20000) + 0.5) / 20000
+    assert fraction == pytest.approx(np.mean(path > 0.0), abs=1e-4)
+    expected = derivative(lambda x: [contact_fraction(before, x)[0]], [depth])[0, 0]
+    assert slope == pytest.approx(expected, rel=1e-5, abs=1e-5)
+
+
+@pytest.mark.parametrize("before", [-0.2, 0.0, 0.2])
+def test_contact_fraction_is_continuous_at_touch_down(before):
+    below, above = contact_fraction(before, 1e-9)[0], contact_fraction(before, -1e-9)[0]
+    assert below == pytest.approx(above, abs=1e-7) or before == 0.0
+    assert contact_fraction(0.0, 0.0)[0] == 0.0
+
+
+# --- points ---------------------------------------------------------------------------------------------------------
+
+LOADS = PointLoads(
+    *(np.array([x]) for x in (500.0, 300.0, -4905.0, 9000.0, 250.0, 0.6)), np.array([[10.0, -20.0, 5.0]])
+)
+STREAM = Current(np.array([0.0]), np.array([[0.4, -0.2, 0.1]]))
+
+
+@FEW
+@given(st.sampled_from([-3.0, -0.45, 0.0, 0.3, 1.0]), VECTORS, VECTORS)
+def test_point_blocks_are_minus_the_derivatives_of_its_force(z, v, a):
+    """K at rest: how drag and added mass change with the wet part is left out of the block, as documented."""
+    r, zero = (1.0, 2.0, z), (0.0, 0.0, 0.0)
+    still = Current(np.array([0.0]), np.zeros((1, 3)))
+    K = full(point_terms(LOADS, still, 0, r, zero, zero, STIFFNESS)[1])
+    agree(K, -derivative(lambda *x: point_terms(LOADS, still, 0, x, zero, zero, STIFFNESS)[0], r), 1e-6, 1e4)
+    C = full(point_terms(LOADS, STREAM, 0, r, v, a, DAMPING)[1])
+    agree(C, -derivative(lambda *x: point_terms(LOADS, STREAM, 0, r, x, a, DAMPING)[0], v), 1e-6, 1e3)
+    M = full(point_terms(LOADS, STREAM, 0, r, v, a, MASS)[1])
+    agree(M, -derivative(lambda *x: point_terms(LOADS, STREAM, 0, r, v, x, MASS)[0], a), 1e-6, 1e3)
+
+
+@FEW
+@given(st.floats(-1.0, 1.0))
+def test_wet_fraction_of_a_sphere(z):
+    """Against slices of a sphere: 4000 midpoints of pi (R^2 - y^2) below the surface, error below 1e-3."""
+    radius = 0.6
+    y = (np.arange(4000) + 0.5) / 4000 * 2.0 * radius - radius
+    area = radius**2 - y**2
+    fraction, slope = wet_fraction(radius, z)
+    assert fraction == pytest.approx(area[y < -z].sum() / area.sum(), abs=1e-3)
+    assert slope == pytest.approx(derivative(lambda x: [wet_fraction(radius, x)[0]], [z])[0, 0], abs=1e-5)
+
+
+# --- current and motion ---------------------------------------------------------------------------------------------
+
+
+@FEW
+@given(st.floats(-60.0, 10.0))
+def test_current_is_linear_between_levels_and_constant_beyond(z):
+    levels, velocity = np.array([-50.0, -20.0, 0.0]), np.array([[0.1, 0.0, 0.0], [0.5, 0.2, -0.1], [1.0, 0.0, 0.3]])
+    expected = [np.interp(z, levels, velocity[:, k]) for k in range(3)]
+    agree(current_at(Current(levels, velocity), z), expected, 1e-12, 1.0)
+
+
+@FEW
+@given(st.floats(0.0, 9.9))
+def test_prescribed_motion_is_smooth_and_its_velocity_is_its_derivative(t):
+    time = np.linspace(0.0, 10.0, 41)
+    samples = np.stack([np.sin(time), np.cos(0.7 * time), 0.1 * time**2], axis=1)
+    tracks = spline_tracks(np.zeros((2, 3)), time, {1: samples})
+    r, v, a = follow(tracks, 1, t)
+    h = 1e-5
+    agree(v, derivative(lambda x: follow(tracks, 1, x)[0], [t], h)[:, 0], 1e-6, 1.0)
+    agree(a, derivative(lambda x: follow(tracks, 1, x)[1], [t], h)[:, 0], 1e-3, 1.0)
+    # the spline's error is 5/384 h^4 max|y''''| = 5e-5 inside; not-a-knot ends are about ten times worse
+    agree(r, [np.sin(t), np.cos(0.7 * t), 0.1 * t**2], 5e-4, 1.0)
+    assert follow(tracks, 0, t) == ((0.0, 0.0, 0.0),) * 3
+
+
+def test_weights_scale_the_blocks():
+    """A block is linear in its weight, so that S = c.mass M + c.damping C + c.stiffness K is what it says."""
+    e, de = (2.0, 0.1, -0.3), (0.1, 0.2, 0.3)
+    one = full(tension_terms(SEGMENTS, np.uintp(0), e, de, Weights(0.0, 2.0, 5.0))[1])
+    K = full(tension_terms(SEGMENTS, np.uintp(0), e, de, STIFFNESS)[1])
+    C = full(tension_terms(SEGMENTS, np.uintp(0), e, de, DAMPING)[1])
+    agree(one, 2.0 * C + 5.0 * K, 1e-14)
