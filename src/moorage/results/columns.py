@@ -52,6 +52,11 @@ class Layout:
         nodes = NODE_VARIABLES if self.node_time else ()
         return times + LINE_VARIABLES + nodes + tuple(output.name for output in self.outputs)
 
+    def coordinates(self) -> dict[str, np.ndarray]:
+        """Return the coordinates of the rows; those of nodes and segments only where there are histories of them."""
+        left_out = () if self.node_time else (("node",), ("segment",))
+        return {n: values for n, values in self.index.coordinates().items() if VARIABLES[n].dims not in left_out}
+
     def dims(self, name: str) -> tuple[str, ...]:
         """Return the dimensions of a variable over time."""
         if name not in VARIABLES:

@@ -9,7 +9,7 @@ import xarray as xr
 
 from moorage.errors import Problem, ResultError
 from moorage.results.columns import Layout
-from moorage.results.index import DOF, Index
+from moorage.results.index import DOF
 from moorage.solve.march import Block
 from moorage.variables import VARIABLES, attributes
 
@@ -26,13 +26,13 @@ def join_columns(layout: Layout, parts: Sequence[Mapping[str, np.ndarray]], attr
         name: (layout.dims(name), np.concatenate([part[name] for part in parts]), layout.attributes(name))
         for name in layout.names
     }
-    coords = coordinates(layout.index) | {name: joined.pop(name) for name in times}
+    coords = coordinates(layout) | {name: joined.pop(name) for name in times}
     return xr.Dataset(joined, coords, dict(attrs))
 
 
-def coordinates(index: Index) -> dict[str, tuple]:
+def coordinates(layout: Layout) -> dict[str, tuple]:
     """Return the coordinates of the rows as (dims, values, attributes)."""
-    return {name: (VARIABLES[name].dims, values, attributes(name)) for name, values in index.coordinates().items()}
+    return {name: (VARIABLES[name].dims, values, attributes(name)) for name, values in layout.coordinates().items()}
 
 
 def static_dataset(
@@ -58,6 +58,7 @@ def line(ds: xr.Dataset, id: int) -> xr.Dataset:
     if id not in ds["line"].values:
         known = ", ".join(map(str, ds["line"].values))
         raise ResultError(Problem(f"the result has no line {id}", f"its lines are {known}"))
+    owners = {"node": "node_line", "segment": "segment_line"}
     return ds.sel(line=id).isel(
-        node=np.flatnonzero(ds["node_line"].values == id), segment=np.flatnonzero(ds["segment_line"].values == id)
+        {dim: np.flatnonzero(ds[owner].values == id) for dim, owner in owners.items() if dim in ds.dims}
     )

@@ -90,12 +90,11 @@ class StreamWriter:
         return self.layout.dims(name)[0]
 
     def _create(self, attrs: Mapping[str, object]) -> None:
-        index = self.layout.index
         self._file.set_fill_off()  # storage is not filled when it is laid out: it may be gigabytes
         self._file.setncatts(dict(attrs))
-        for name, size in index.sizes.items():
+        for name, size in self.layout.index.sizes.items():
             self._file.createDimension(name, size)
-        for name, values in index.coordinates().items():
+        for name, values in self.layout.coordinates().items():
             kind = str if values.dtype == object else values.dtype
             variable = self._file.createVariable(name, kind, VARIABLES[name].dims)
             variable.setncatts(attributes(name))
@@ -124,6 +123,6 @@ class StreamWriter:
         """Return the CF list of coordinates that are not dimensions."""
         return " ".join(
             name
-            for name in self.layout.index.coordinates()
+            for name in self.layout.coordinates()
             if name not in dims and set(VARIABLES[name].dims) <= set(dims)
         )
