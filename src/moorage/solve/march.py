@@ -243,9 +243,10 @@ class March:
     def _point_force(self, force) -> np.ndarray:
         """Sum of the forces of all lines on each point."""
         ends = self.built.system.lines.end_point.ravel()
-        n, shape = len(force), (len(self.built.names.points), len(ends))
-        holds = csr_array((np.ones(len(ends)), (ends, np.arange(len(ends)))), shape=shape)
-        return (holds @ force.reshape(n, -1, 3).swapaxes(0, 1).reshape(len(ends), -1)).reshape(-1, n, 3).swapaxes(0, 1)
+        n, points = len(force), len(self.built.names.points)
+        holds = csr_array((np.ones(len(ends)), (ends, np.arange(len(ends)))), shape=(points, len(ends)))
+        by_end = force.reshape(n, len(ends), 3).swapaxes(0, 1).reshape(len(ends), 3 * n)
+        return (holds @ by_end).reshape(points, n, 3).swapaxes(0, 1)
 
     def _failure(self, island: int, record: Record) -> SimulationError:
         time = float(self.clocks.time[island])
