@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
+from typing import Any
 
 
 @dataclass(frozen=True)
@@ -75,19 +76,32 @@ class ConvergenceError(MoorageError):
 
 
 class SimulationError(MoorageError):
-    """A run that could not go on at `time` (s); the records before it are in `result` (a dataset)."""
+    """A run that could not go on at `time` (s).
+
+    Attributes
+    ----------
+    dataset : callable or None
+        Gives the records before the failure.
+    """
 
     def __init__(self, message: str, time: float = float("nan")):
         self.time = time
-        self.result: object = None
+        self.dataset: Callable[[], Any] | None = None
         super().__init__(message)
 
 
 class RunInterrupted(KeyboardInterrupt):
-    """A run that was stopped with Ctrl-C between two blocks; its records up to `time` (s) are in `result`."""
+    """A run that was stopped with Ctrl-C between two blocks, at `time` (s).
 
-    def __init__(self, message: str, time: float, result: object = None):
-        self.time, self.result = time, result
+    Attributes
+    ----------
+    dataset : callable or None
+        Gives the records up to then.
+    """
+
+    def __init__(self, message: str, time: float):
+        self.time = time
+        self.dataset: Callable[[], Any] | None = None
         super().__init__(message)
 
 

@@ -124,7 +124,7 @@ def simulate(
     InputError
         The model, the motion or a setting is wrong, or is not simulated yet.
     SimulationError
-        The run could not go on; what was before is in `output`, and in the error's `result`.
+        The run could not go on; what was before is in `output`, and the error's `dataset()` gives it.
     RunInterrupted
         Ctrl-C; as before, and `resume` goes on from there.
     """
@@ -162,7 +162,7 @@ def simulate(
             save_checkpoint(writer.path, Checkpoint(march.checkpoint(), dict(writer.written), mark, VERSION))
 
         try:
-            result = stream(march, writer, layout, progress, keep)
+            result = stream(march, writer, layout, progress, keep, resumed=saved is not None)
         except SimulationError:
             remove_checkpoint(writer.path)
             raise

@@ -29,6 +29,7 @@ def stream(
     layout: Layout,
     progress: Progress | None = None,
     keep: Callable[[], None] | None = None,
+    resumed: bool = False,
 ) -> xr.Dataset:
     """March to the end, hand every block to the result, and close it with the status of the run.
 
@@ -38,13 +39,14 @@ def stream(
         Called after each block with simulated time, duration and wall time, s.
     keep : callable, optional
         Called after each block is written, to save a checkpoint.
+    resumed : bool
+        The records of the present time are there already.
     """
     begin = time.perf_counter()
     status = f"interrupted at {march.time:g} s"
-    stopped: RunInterrupted | SimulationError | None = None
     try:
         with deferred_interrupt() as asked:
-            for block in blocks(march):
+            for block in blocks(march, resumed):
                 warn_of_shock(block)
                 result.append(layout.columns(block))
                 if keep is not None:
@@ -56,25 +58,23 @@ def stream(
                     raise RunInterrupted(status, march.time)
             status = "complete"
     except RunInterrupted as error:
-        stopped = error
+        error.dataset = result.dataset
         raise
     except SimulationError as error:
-        stopped = error
         status = f"failed at {error.time:g} s: {str(error).splitlines()[0]}"
         result.append(layout.columns(error.block))  # type: ignore[attr-defined]
+        error.dataset = result.dataset
         raise
     finally:
         result.close({"status": status, **march.counters})
-        if stopped is not None:
-            stopped.result = result.dataset()
     return result.dataset()
 
 
-def blocks(march: March) -> Iterator[Block]:
+def blocks(march: March, resumed: bool = False) -> Iterator[Block]:
     """Yield the records of a run in blocks of about `BLOCK_SECONDS` of wall time, from where the march stands."""
     dt = march.settings.dt_out
     done, last, count = round(march.time / dt), round(march.duration / dt), 1
-    if done == 0:
+    if not resumed:
         yield march.first()
     while done < last:
         begin = time.perf_counter()

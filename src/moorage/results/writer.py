@@ -51,12 +51,14 @@ class StreamWriter:
         self.path, self.layout, self.rows = path, layout, rows
         self.written = dict(written) if written else {"time": 0, "node_time": 0}
         try:
+            if not written:
+                path.unlink(missing_ok=True)  # a dataset that still reads the old file keeps it
             self._file = netCDF4.Dataset(path, "a" if written else "w", format="NETCDF4")
         except OSError as error:
             raise ResultError(
                 Problem(
                     f"cannot write {path}: {error.strerror or error}",
-                    "give another file with -o, or close the program that has it open",
+                    "give another file with -o, or close the dataset or program that has it open",
                 )
             ) from error
         if written:
@@ -122,7 +124,5 @@ class StreamWriter:
     def _coordinates_of(self, dims: tuple[str, ...]) -> str:
         """Return the CF list of coordinates that are not dimensions."""
         return " ".join(
-            name
-            for name in self.layout.coordinates()
-            if name not in dims and set(VARIABLES[name].dims) <= set(dims)
+            name for name in self.layout.coordinates() if name not in dims and set(VARIABLES[name].dims) <= set(dims)
         )
