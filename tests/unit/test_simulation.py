@@ -1,0 +1,69 @@
+"""The door for hosts: the mooring of a simulation, step by step, with the chance to try again."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import moorage
+
+EXAMPLE = Path(__file__).parents[2] / "examples" / "oc4" / "oc4.dat"
+
+
+@pytest.fixture
+def sim():
+    return moorage.Simulation(moorage.read(EXAMPLE))
+
+
+def surge(time, amplitude=2.0, period=10.0):
+    phase = 2.0 * np.pi * time / period
+    x, v = amplitude * (1.0 - np.cos(phase)), amplitude * 2.0 * np.pi / period * np.sin(phase)
+    return np.array([x, 0.0, 0.0]), np.array([v, 0.0, 0.0])
+
+
+def test_starts_from_statics(sim):
+    forces = sim.initialize()
+    eq = moorage.solve_statics(sim.model)
+    np.testing.assert_array_equal(sim.points, [4, 5, 6])
+    np.testing.assert_allclose(forces, eq["point_force"].sel(point=[4, 5, 6]).values, rtol=1e-6)
+
+
+def test_follows_a_run_with_the_same_motion(sim):
+    sim.initialize()
+    start, forces = sim.position, []
+    times = 0.1 * np.arange(1, 101)
+    for time in times:
+        shift, velocity = surge(time)
+        forces.append(sim.step(time, start + shift, np.tile(velocity, (3, 1))))
+    assert sim.time == 10.0
+    fine = np.linspace(0.0, 10.0, 401)
+    motion = moorage.Motion.from_platform(fine, [[*surge(t)[0], 0.0, 0.0, 0.0] for t in fine])
+    ds = moorage.simulate(sim.model, duration=10.0, motion=motion)
+    expected = ds["point_force"].sel(point=[4, 5, 6]).values[1:]
+    error = np.sqrt(np.mean((forces - expected) ** 2) / np.mean(expected**2))
+    assert error < 0.01  # the accuracy of a run at the default tolerance
+
+
+def test_restore_goes_back_bit_for_bit(sim):
+    sim.initialize()
+    shift, velocity = surge(0.5)
+    state, target = sim.save(), sim.position + shift
+    first = sim.step(0.5, target, np.tile(velocity, (3, 1)))
+    sim.restore(state)
+    assert sim.time == 0.0
+    other = sim.step(0.5, target + 1.0, np.tile(velocity, (3, 1)))
+    assert not np.allclose(first, other)
+    sim.restore(state)
+    np.testing.assert_array_equal(sim.step(0.5, target, np.tile(velocity, (3, 1))), first)
+
+
+def test_what_cannot_be_is_refused(sim):
+    with pytest.raises(moorage.SimulationError, match="initialize"):
+        sim.step(0.1, sim.position, np.zeros((3, 3)))
+    sim.initialize()
+    with pytest.raises(moorage.SimulationError, match="time must increase"):
+        sim.step(0.0, sim.position, np.zeros((3, 3)))
+    with pytest.raises(moorage.SimulationError, match="3 x 3 finite numbers"):
+        sim.step(0.1, sim.position[:2], np.zeros((3, 3)))
+    with pytest.raises(moorage.InputError, match="tolerance"):
+        moorage.Simulation(sim.model, tolerance=-1.0)
