@@ -157,7 +157,7 @@ def run(
     show_run(ds)
     picture = target.with_suffix(".png")
     moorage.plot.save_figure(ds, picture)
-    console.out.print(f"results {target}\nfigure  {picture}", markup=False, soft_wrap=True)
+    console.out.print(f"\nresults {target}\nfigure  {picture}", markup=False, soft_wrap=True)
 
 
 @app.command()

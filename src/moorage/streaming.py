@@ -36,13 +36,13 @@ def stream(
     Parameters
     ----------
     progress : callable, optional
-        Called after each block with simulated time, duration and wall time, s.
+        Called after each block with simulated time, duration and wall time since the first block, s.
     keep : callable, optional
         Called after each block is written, to save a checkpoint.
     resumed : bool
         The records of the present time are there already.
     """
-    begin = time.perf_counter()
+    begin: float | None = None
     status = f"interrupted at {march.time:g} s"
     try:
         with deferred_interrupt() as asked:
@@ -52,6 +52,8 @@ def stream(
                 if keep is not None:
                     keep()
                 status = f"interrupted at {march.time:g} s"
+                if begin is None:
+                    begin = time.perf_counter()  # kernels may have been compiled for the first block
                 if progress is not None:
                     progress(march.time, march.duration, time.perf_counter() - begin)
                 if asked():
