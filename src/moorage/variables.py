@@ -44,7 +44,7 @@ _TABLE = (
     Variable("node_line", "", ("node",), "1", "id of the line that a node belongs to"),
     Variable("segment_line", "", ("segment",), "1", "id of the line that a segment belongs to"),
     Variable("unstretched_length", "l", ("segment",), "m", "unstretched length of a segment"),
-    Variable("stiffness", "K", ("dof", "dof_"), "N m-1", "of the coupled points moved as one rigid platform; N, m, rad"),
+    Variable("stiffness", "K", ("dof", "dof_"), "N m-1", "of the coupled points moved as one platform, in N, m, rad"),
     Variable("dof", "", ("dof",), "1", "force or moment on the platform"),
     Variable("dof_", "", ("dof_",), "1", "displacement or rotation of the platform"),
     Variable("residual", "", (), "N", "largest out-of-balance force on a node or free point"),

@@ -1,4 +1,4 @@
-"""Static equilibrium of an island with the same tangent: Newton with a line search, or pseudo-transient continuation."""
+"""Static equilibrium of an island with the same tangent: Newton with line search, or pseudo-transient continuation."""
 
 from __future__ import annotations
 

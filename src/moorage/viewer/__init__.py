@@ -1,1 +1,1 @@
-
+"""The viewer of results in a browser; not built yet."""
