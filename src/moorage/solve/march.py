@@ -83,14 +83,15 @@ def over_islands(built: Built, values) -> np.ndarray:
 
 
 def force_scales(built: Built) -> np.ndarray:
-    """Return the size of the forces in each island, N: its largest tension now, or the weight of a line."""
+    """Return the size of the forces in each island, N: its largest tension now, the weight of a line, or 1e-6 EA."""
     system, ptr = built.system, built.names.segment_ptr
     first = np.arange(len(built.names.segment_length)) + np.repeat(np.arange(len(ptr) - 1), np.diff(ptr))
     span = np.linalg.norm(built.state.position[first + 1] - built.state.position[first], axis=1)
     tension = system.tension.spring * np.maximum(span - built.names.segment_length, 0.0)
     dry = -0.5 * (system.weight.dry[first] + system.weight.dry[first + 1])
     weight = np.add.reduceat(np.abs(dry - system.weight.buoyancy), ptr[:-1])
-    return over_islands(built, np.maximum(tension, np.repeat(weight, np.diff(ptr))))
+    least = 1e-6 * system.tension.spring * built.names.segment_length  # nothing may pull or weigh at the start
+    return over_islands(built, np.maximum(np.maximum(tension, least), np.repeat(weight, np.diff(ptr))))
 
 
 def stretch_scales(built: Built) -> np.ndarray:
@@ -155,6 +156,7 @@ class March:
         saved: Block = {f"now_{k}": v.copy() for k, v in zip(self.old._fields, self.built.state, strict=True)}
         saved |= {f"old_{k}": v.copy() for k, v in zip(self.old._fields, self.old, strict=True)}
         saved |= {f"clock_{k}": v.copy() for k, v in zip(self.clocks._fields, self.clocks, strict=True)}
+        saved["leftover"] = self.control.leftover.copy()  # made from the state at time 0
         saved["march"] = np.array([self.time, self._rows, self._node_rows])
         return saved
 
@@ -163,6 +165,7 @@ class March:
         for prefix, target in (("now", self.built.state), ("old", self.old), ("clock", self.clocks)):
             for name, array in zip(target._fields, target, strict=True):
                 array[...] = saved[f"{prefix}_{name}"]
+        self.control.leftover[...] = saved["leftover"]
         self.time, self._rows, self._node_rows = (
             float(saved["march"][0]),
             int(saved["march"][1]),
@@ -199,6 +202,9 @@ class March:
         failed = np.flatnonzero(self.clocks.status != OK)
         if len(failed):
             raise self._failure(int(failed[np.argmin(self.clocks.time[failed])]), record)
+        bad = np.argwhere(~np.isfinite(record.lines).all(axis=2))
+        if len(bad):
+            raise self._not_a_number(int(bad[0, 0]), int(bad[0, 1]), record)
 
     def block(self, record: Record, rows: int, node_rows: int) -> Block:
         """Split the buffers into named arrays of the first `rows` times."""
@@ -264,6 +270,15 @@ class March:
                 "happens there: a line pulled beyond reason, a segment folded back on itself, a table that falls, "
                 "or imposed motion that jumps"
             )
-        error = SimulationError(f"the run stopped at {time:.4f} s at {place}: {cause}", time)
+        return self._stopped(f"at {place}: {cause}", time, record, rows, node_rows)
+
+    def _not_a_number(self, row: int, line: int, record: Record) -> SimulationError:
+        """Report a force on the end of a line that its motion did not show, because that end is held."""
+        time = float(record.time[row])
+        cause = f"on line {self.built.names.lines[line]}: the force on one of its ends is not a number"
+        return self._stopped(cause, time, record, row, int(np.searchsorted(record.node_time, time)))
+
+    def _stopped(self, why: str, time: float, record: Record, rows: int, node_rows: int) -> SimulationError:
+        error = SimulationError(f"the run stopped at {time:.4f} s {why}", time)
         error.block = self.block(record, rows, node_rows)  # type: ignore[attr-defined]
         return error
