@@ -92,7 +92,7 @@ def implicit_step(system, now, trial, work, island, t, h, control):
             break
         if (
             c.damping * largest < control.newton
-            and tension_left(control, island, c, largest) < control.leftover[island]
+            and tension_left(control, island, c, largest) <= control.leftover[island]  # both 0 without lines
         ):
             converged = True
             break

@@ -61,7 +61,8 @@ def build(model: Model, motion: Motion | None = None, duration: float | None = N
     node_ptr = np.concatenate([[0], np.cumsum(count + 1)]).astype(np.int64)
     to_nodes = NodeSum(node_ptr)
     lines, islands, island_of_line = _topology(model, node_ptr, segments)
-    l, d, m = segments["length"], segments["diameter"], segments["mass"]
+    # copied out of the table: a strided array would be another type to the compiler, unless it has one element only
+    l, d, m = (np.ascontiguousarray(segments[name]) for name in ("length", "diameter", "mass"))
     displaced = env.water_density * np.pi / 4.0 * d**2 * l
     hydro = np.stack(
         [
@@ -77,7 +78,7 @@ def build(model: Model, motion: Motion | None = None, duration: float | None = N
     system = System(
         lines=lines,
         islands=islands,
-        tension=_tension(model, segments),
+        tension=_tension(l, segments),
         bending=Bending(to_nodes.inner_mean(segments["bending_stiffness"]) / np.where(inner > 0.0, inner, 1.0)),
         weight=Weight(-env.gravity * mass, env.gravity * displaced, 0.5 * d),
         morison=Morison(mass, np.stack([to_nodes(h) for h in hydro.T], axis=1), hydro),
@@ -142,8 +143,7 @@ def _topology(model: Model, node_ptr, segments):
     return lines, Islands(line_ptr, order.astype(np.int64), point_ptr, listed, matrix_ptr), island_of_line
 
 
-def _tension(model: Model, segments) -> Tension:
-    l = segments["length"]
+def _tension(l, segments) -> Tension:
     curves: list[Curve] = []
 
     def tables(values, scalars):
