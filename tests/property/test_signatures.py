@@ -1,0 +1,89 @@
+"""One compiled version of every main kernel serves all models: another one would cost half a minute, unannounced."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from moorings import CHAIN, coupled, curve, fixed, free, kind, line, mooring, run, single, spread
+
+from moorage.errors import ConvergenceError
+from moorage.model import Current, Model, Motion
+from moorage.solve.host import HostMarch
+from moorage.solve.march_kernel import march_islands, start_islands
+from moorage.solve.statics import solve
+from moorage.solve.statics_kernel import relax_island
+from moorage.solve.stiffness import condense_lines, line_blocks
+from moorage.system.assemble import assemble_line
+from moorage.system.build import Built, build
+
+
+def models() -> dict[str, tuple[Model, Motion | None]]:
+    table = curve((0.0, 0.0), (0.05, 1e5), (0.1, 5e5))
+    a, b = fixed(1, 0.0, 0.0, -20.0), coupled(2, 30.0, 0.0, -5.0)
+    float_ = free(3, 10.0, 0.0, -10.0, mass=10.0, volume=0.1)
+    moved = Motion.from_harmonics(5.0, ramp=2.0, heave=(0.1, 3.0))
+    bent = kind("rope", bending_stiffness=1e4)
+    sheared = Current((-20.0, -10.0, 0.0), ((0.0, 0.0, 0.0), (0.1, 0.0, 0.0), (0.5, 0.1, 0.0)))
+    bridle = (line(1, 1, 3, ("rope", 15.0, 3)), line(2, 3, 2, ("rope", 22.0, 4)))
+    return {
+        "three chains, moved": (spread(10), Motion.from_harmonics(5.0, ramp=2.0, surge=(1.0, 8.0))),
+        "one segment": (single(CHAIN, 34.0, 1, a, b), None),
+        "nothing is free, all is fixed": (single(CHAIN, 34.0, 5, a, fixed(2, 30.0, 0.0, -5.0)), None),
+        "tables": (single(kind(axial_stiffness=table, axial_damping=table), 32.0, 4, a, b), moved),
+        "free points, no tables": (mooring(kind(), (a, b, float_), bridle), moved),
+        "a point without lines": (mooring(kind(), (a, b, float_), (line(1, 1, 2, ("rope", 32.0, 3)),)), None),
+        "sheared current": (single(kind(transverse_drag=1.0), 34.0, 5, a, b, current=sheared), moved),
+        "bending": (single(bent, 34.0, 9, a, b), None),
+        "two segments, bent, held by a free point": (mooring(bent, (a, float_), (line(1, 3, 1, ("rope", 12.0, 2)),)), None),
+        "no water, no weight": (single(kind(), 30.0, 3, a, b, water_density=0.0, gravity=0.0), moved),
+    }  # fmt: skip
+
+
+def shapes(built: Built) -> set:
+    """What the compiler sees of a system: the types of all its leaves."""
+    leaves = []
+
+    def walk(value):
+        if isinstance(value, tuple):
+            for part in value:
+                walk(part)
+        elif isinstance(value, np.ndarray):
+            leaves.append((value.dtype.str, value.ndim, value.flags.c_contiguous, value.flags.writeable))
+        else:
+            leaves.append(type(value).__name__)
+
+    walk(built.system)
+    walk(built.state)
+    walk(built.work)
+    return set(enumerate(leaves))
+
+
+@pytest.mark.parametrize("name", models())
+def test_every_model_looks_the_same_to_the_compiler(name):
+    reference = shapes(build(*models()["three chains, moved"]))
+    assert shapes(build(*models()[name])) == reference
+
+
+def test_main_kernels_are_compiled_once():
+    """All models are solved, run by every method and condensed; then each kernel has one signature."""
+    for model, motion in models().values():
+        built = build(model, motion)
+        try:
+            solve(built)
+        except ConvergenceError:  # a loose point sinks for ever: what counts here is that it was tried
+            continue
+        line_blocks(built)
+        for settings in ({}, {"time_step": 0.01}, {"method": "rk4", "time_step": 1e-5}):
+            run(built, 0.02, dt_out=0.01, dt_nodes=0.02, watch=((0, 1),), **settings)
+        host = HostMarch(built)
+        host.initialize()
+        host.step(0.02, host.position, host.velocity)
+    for kernel in (march_islands, start_islands, relax_island, condense_lines, assemble_line):
+        assert len(kernel.signatures) == 1, f"{kernel.__name__}: {kernel.signatures}"
+
+
+def test_an_integer_would_be_noticed():
+    """The comparison sees a float parameter that became an int."""
+    built = build(*models()["one segment"])
+    wrong = built._replace(system=built.system._replace(seabed=built.system.seabed._replace(level=-20)))
+    assert shapes(wrong) != shapes(built)
