@@ -37,12 +37,10 @@ def plot_profile(ds: xr.Dataset, lines: list[int], ax: Axes) -> Axes:
 
 def plot_profiles(ds: xr.Dataset, groups: list[list[int]], ax: Axes) -> Axes:
     """Draw many moorings at time 0 over each other, each in the vertical plane of `plot_profile`."""
-    shapes = []
+    nodes, shapes = _starts(ds), []
     for lines in groups:
         origin, direction = _plane(ds, lines)
-        for id in lines:
-            nodes = _shapes(ds, id)[0]
-            shapes.append(np.stack([(nodes[:, :2] - origin) @ direction, nodes[:, 2]], axis=-1))
+        shapes += [np.stack([(nodes[id][:, :2] - origin) @ direction, nodes[id][:, 2]], axis=-1) for id in lines]
     ax.add_collection(LineCollection(shapes, colors=COLOURS[0], linewidths=0.8, alpha=0.6))
     ax.autoscale_view()
     return _finish(ds, ax)
@@ -50,9 +48,8 @@ def plot_profiles(ds: xr.Dataset, groups: list[list[int]], ax: Axes) -> Axes:
 
 def plot_plan(ds: xr.Dataset, ax: Axes) -> Axes:
     """Draw all lines at time 0 from above, x against y, in m."""
-    for id in ds["line"].values:
-        nodes = _shapes(ds, int(id))[0]
-        ax.plot(nodes[:, 0], nodes[:, 1], color=COLOURS[0], linewidth=0.8)
+    plan = [nodes[:, :2] for nodes in _starts(ds).values()]
+    ax.add_collection(LineCollection(plan, colors=COLOURS[0], linewidths=0.8))
     kinds = ds["point_kind"].values
     position = _at_start(ds["point_position"]).values
     for kind, marker, colour in (("fixed", "s", SEABED), ("coupled", "o", COLOURS[1]), ("free", ".", QUIET)):
@@ -71,7 +68,8 @@ def _plane(ds: xr.Dataset, lines: list[int]) -> tuple[np.ndarray, np.ndarray]:
     position = _at_start(ds["point_position"])
     ends = [position.sel(point=end).values[:2] for end in held_ends(ds, lines)]
     if not ends:
-        ends = [_shapes(ds, lines[0])[0, -1, :2], _shapes(ds, lines[0])[0, 0, :2]]
+        nodes = _starts(ds)[lines[0]]
+        ends = [nodes[-1, :2], nodes[0, :2]]
     spans = [end - ends[0] for end in ends]
     span = max(spans, key=lambda s: float(np.hypot(*s)))
     length = float(np.hypot(*span))
@@ -85,6 +83,15 @@ def _shapes(ds: xr.Dataset, id: int) -> np.ndarray:
         return nodes.values[None]
     step = max(1, -(-nodes.shape[0] // SHADOWS))
     return nodes[::step].values
+
+
+def _starts(ds: xr.Dataset) -> dict[int, np.ndarray]:
+    """Return the shape of every line at time 0, (nodes, 3), by id."""
+    position = ds["node_position"]
+    nodes = (position[0] if position.ndim == 3 else position).values
+    owner = ds["node_line"].values  # the nodes of a line stand together
+    cuts = np.flatnonzero(np.diff(owner)) + 1
+    return {int(owner[part[0]]): nodes[part] for part in np.split(np.arange(len(owner)), cuts)}
 
 
 def _at_start(values: xr.DataArray) -> xr.DataArray:
