@@ -1,0 +1,1 @@
+"""Speed and accuracy of Moorage beside other programs: `python -m benchmarks`."""
