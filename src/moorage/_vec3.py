@@ -266,3 +266,16 @@ def mat_sym_sym(m, s):
     y = sym_times(s, (m[3], m[4], m[5]))
     z = sym_times(s, (m[6], m[7], m[8]))
     return x[0], x[1], x[2], y[1], y[2], z[2]
+
+
+@inlined
+def sym_mat(s, m):
+    """S M."""
+    return mat_mat(sym_to_general(s), m)
+
+
+@inlined
+def mat_t_mat_sym(m, n):
+    """M^T N when the product is known to be symmetric."""
+    p = mat_t_mat(m, n)
+    return p[0], p[1], p[2], p[4], p[5], p[8]

@@ -5,9 +5,14 @@
     0  1  2  3  4     5  6  7                8  9 10 11     rows of every state array, (rows, 3)
       0  1  2  3        4  5                                segments: that after node i of line k is i - k
 
-Lines and points stand in the order of the file. A line owns both its end nodes; they copy the point that they hold on
-to, or follow the prescribed motion of that point (whose own row is then not used). Lines that share free points form an
-island; islands do not see each other, and each takes steps of its own size.
+Lines and points stand in the order of the file; after the points come the ends of rods, which hold lines just as points
+do. A line owns both its end nodes; they copy the point that they hold on to, or follow the prescribed motion of that
+point (whose own row is then not used). Lines that share free points form an island; islands do not see each other, and
+each takes steps of its own size.
+
+Elimination leaves the *boundary* of a line: an end node on a free point, and next to a joint of two cables also the node
+beside it, because the joint's hinge reaches that far. Free points and those nodes are the unknown 3-vectors of the
+junction system of an island.
 """
 
 from __future__ import annotations
@@ -32,7 +37,8 @@ class Lines(NamedTuple):
 
     node_ptr: np.ndarray  # (lines + 1,)
     end_point: np.ndarray  # (lines, 2) point at end A and at end B
-    end_unknown: np.ndarray  # (lines, 2) number of that point among the free points of its island, -1: prescribed
+    end_unknown: np.ndarray  # (lines, 2) number of that point among the unknowns of its island, -1: prescribed
+    inner_unknown: np.ndarray  # (lines, 2) number of the node beside the end, -1: not part of the boundary
     bends: np.ndarray  # (lines,) bool: has bending stiffness
 
 
@@ -43,7 +49,20 @@ class Islands(NamedTuple):
     lines: np.ndarray  # (lines,)
     point_ptr: np.ndarray  # (islands + 1,)
     points: np.ndarray  # (free points,)
+    joint_ptr: np.ndarray  # (islands + 1,)
+    unknown_ptr: np.ndarray  # (islands + 1,) unknown 3-vectors: the free points first
+    unknown_row: np.ndarray  # (unknowns,) their state rows
     matrix_ptr: np.ndarray  # (islands + 1,) offsets of the junction matrices
+
+
+class Joints(NamedTuple):
+    """Joints where bending passes from one line end to another, in the order of the islands."""
+
+    line: np.ndarray  # (joints, 2) the two lines
+    end: np.ndarray  # (joints, 2) and their ends, 0: A, 1: B
+    stiffness: np.ndarray  # (joints, 2) 2 EI / l of their end segments, N m/rad
+    rule: np.ndarray  # (joints,) EXACT or PAPER
+    table: np.ndarray  # (joints,) table of moment, -1: constant EI
 
 
 class System(NamedTuple):
@@ -51,6 +70,7 @@ class System(NamedTuple):
 
     lines: Lines
     islands: Islands
+    joints: Joints
     tension: Tension
     bending: Bending
     weight: Weight
@@ -77,6 +97,8 @@ class Blocks(NamedTuple):
     next: np.ndarray  # (rows, 9) S[i+1, i]
     skip: np.ndarray  # (rows, 9) S[i+2, i], lines with bending only
     start: np.ndarray  # (rows, 9) fill-in S[i, first], lines whose end A is free only
+    inner: np.ndarray  # (rows, 9) fill-in S[i, first + 1], lines with a joint at end A only
+    joint: np.ndarray  # (joints, 9) S[neighbour on the second line, neighbour on the first line]
 
 
 class Work(NamedTuple):
@@ -87,7 +109,8 @@ class Work(NamedTuple):
     force: np.ndarray  # (rows, 3) out-of-balance force, N
     increment: np.ndarray  # (rows, 3) solution of S x = force
     junction_matrix: np.ndarray  # (sum of (3 free)^2,) one dense matrix an island
-    junction_force: np.ndarray  # (3 free points,)
+    junction_force: np.ndarray  # (3 unknowns,)
+    direction: np.ndarray  # (lines, 2, 3) in which clamps point into the line at the time of the trial state
 
 
 class Weights(NamedTuple):
@@ -111,14 +134,15 @@ def copy_of(state: State) -> State:
 def new_work(system: System) -> Work:
     """Return scratch space for a system."""
     rows = int(system.lines.node_ptr[-1]) + len(system.points.mass)
-    blocks = Blocks(*(np.zeros((rows, width)) for width in (6, 9, 9, 9)))
+    blocks = Blocks(*(np.zeros((rows, width)) for width in (6, 9, 9, 9, 9)), np.zeros((len(system.joints.rule), 9)))
     return Work(
         new_state(rows),
         blocks,
         np.zeros((rows, 3)),
         np.zeros((rows, 3)),
         np.zeros(int(system.islands.matrix_ptr[-1])),
-        np.zeros(3 * len(system.islands.points)),
+        np.zeros(3 * len(system.islands.unknown_row)),
+        np.zeros((len(system.lines.bends), 2, 3)),
     )
 
 

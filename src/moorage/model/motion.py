@@ -18,6 +18,12 @@ from moorage.errors import MotionError, Problem, Source
 from moorage.model.model import Model
 
 
+MOVED = ("coupled", "coupled-pinned")  # kinds of bodies and rods that a motion moves
+
+
+MOVED = ("coupled", "coupled-pinned")  # kinds of bodies and rods that a motion moves
+
+
 @dataclass(frozen=True)
 class Motion:
     """Samples of prescribed motion.
@@ -205,8 +211,58 @@ class Motion:
                 )
             )
 
+    def resolve_bodies(self, model: Model) -> dict[int, tuple[np.ndarray, np.ndarray]]:
+        """Return position (n, 3), m, and rotation (n, 3, 3) of every coupled body, by id.
+
+        A rotation takes body axes to global ones. A platform motion carries a body rigidly from where it is described.
+        """
+        columns, found = self._columns(model), {}
+        for body in model.bodies:
+            if body.kind not in MOVED:
+                continue
+            if ("body", body.id) in columns:
+                part = columns["body", body.id]
+                found[body.id] = part[:, :3], rotation_matrices(part[:, 3:])
+            elif self.platform is not None:
+                turn = rotation_matrices(self.platform[:, 3:])
+                own = rotation_matrices(np.array([body.rotation]))[0]
+                found[body.id] = self.platform[:, :3] + turn @ np.array(body.position), turn @ own
+        self._must_have("body", [body.id for body in model.bodies if body.kind in MOVED], found)
+        return found
+
+    def resolve_rods(self, model: Model) -> dict[int, tuple[np.ndarray, np.ndarray]]:
+        """Return position of end A (n, 3), m, and unit direction from A to B (n, 3) of every coupled rod, by id.
+
+        MoorDyn's three angles of a rod turn the vertical (0, 0, 1) into its direction.
+        """
+        columns, found = self._columns(model), {}
+        for rod in model.rods:
+            if rod.kind not in MOVED or rod.body is not None:
+                continue
+            if ("rod", rod.id) in columns:
+                part = columns["rod", rod.id]
+                found[rod.id] = part[:, :3], rotation_matrices(part[:, 3:])[:, :, 2]
+            elif self.platform is not None:
+                turn = rotation_matrices(self.platform[:, 3:])
+                found[rod.id] = self.platform[:, :3] + turn @ np.array(rod.end_a), turn @ np.array(rod.direction)
+        self._must_have("rod", [r.id for r in model.rods if r.kind in MOVED and r.body is None], found)
+        return found
+
+    def _must_have(self, kind: str, ids, found) -> None:
+        problems = [
+            Problem(f"coupled {kind} {id} has no motion", "give a platform motion, or MoorDyn's columns", self.source)
+            for id in ids
+            if id not in found
+        ]
+        if problems:
+            raise MotionError(problems)
+
     def _columns_by_point(self, model: Model) -> dict[int, np.ndarray]:
-        """Cut MoorDyn-F's columns into the tracks of the coupled points (bodies and rods come first)."""
+        """Cut MoorDyn-F's columns into the tracks of the coupled points."""
+        return {id: part for (kind, id), part in self._columns(model).items() if kind == "point"}
+
+    def _columns(self, model: Model) -> dict[tuple[str, int], np.ndarray]:
+        """Cut MoorDyn-F's columns into those of each coupled object."""
         if self.coupled is None:
             return {}
         owners = coupled_columns(model)
@@ -222,9 +278,8 @@ class Motion:
             )
         starts = np.cumsum([0, *(width for _, _, width in owners)])
         return {
-            id: self.coupled[:, start : start + 3]
-            for (kind, id, _), start in zip(owners, starts, strict=False)
-            if kind == "point"
+            (kind, id): self.coupled[:, start : start + width]
+            for (kind, id, width), start in zip(owners, starts, strict=False)
         }
 
 
@@ -233,9 +288,8 @@ def coupled_columns(model: Model) -> list[tuple[str, int, int]]:
 
     MoorDyn-F's driver wants a column for every control channel too, which it reads and does not use.
     """
-    moved = ("coupled", "coupled-pinned")
-    bodies = [("body", body.id, 6) for body in model.bodies if body.kind in moved]
-    rods = [("rod", rod.id, 6) for rod in model.rods if rod.kind in moved and rod.body is None]
+    bodies = [("body", body.id, 6) for body in model.bodies if body.kind in MOVED]
+    rods = [("rod", rod.id, 6) for rod in model.rods if rod.kind in MOVED and rod.body is None]
     points = [("point", point.id, 3) for point in model.coupled_points]
     channels = range(1, max((control.channel for control in model.controls), default=0) + 1)
     return bodies + rods + points + [("control channel", channel, 1) for channel in channels]

@@ -82,7 +82,7 @@ def implicit_step(system, now, trial, work, island, t, h, control):
             predict_row(now, trial, i, k)
     for p in range(p0, p1):
         predict_row(now, trial, point_row(lines, islands.points[p]), k)
-    attach(system, trial, island, t + h)
+    attach(system, trial, work, island, t + h)
     converged, iterations, row = False, 0, -1
     while iterations < control.iterations:
         newton_island(system, trial, now.position, work, island, c)
@@ -128,7 +128,7 @@ def set_accelerations(system, state, work, island, t):
             put(state.acceleration, i, (0.0, 0.0, 0.0))
     for p in range(p0, p1):
         put(state.acceleration, point_row(lines, islands.points[p]), (0.0, 0.0, 0.0))
-    attach(system, state, island, t)
+    attach(system, state, work, island, t)
     assemble_island(system, state, state.position, work, island, c)
     solve_island(system, state, work, island, c)
     shift(system, state, work, island, 0.0, 0.0, 1.0)

@@ -10,8 +10,7 @@ from moorage.layout import line_nodes, point_row
 from moorage.physics.point import point_terms
 from moorage.solve.junction import solve_junctions
 from moorage.solve.line_solve import assemble_and_reduce, back_substitute, reduce_line, substitute
-from moorage.system.assemble import assemble_line
-from moorage.system.attach import copy_free_ends
+from moorage.system.assemble import add_joints, assemble_line
 
 
 @kernel
@@ -20,6 +19,7 @@ def assemble_island(system, state, before, work, island, c):
     islands = system.islands
     for k in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
         assemble_line(system, state, before, work, islands.lines[k], c)
+    add_joints(system, state, work, island, c)
 
 
 @inlined
@@ -36,16 +36,25 @@ def newton_island(system, state, before, work, island, c):
             assemble_and_reduce(system, state, before, work, line, c)
         else:
             assemble_line(system, state, before, work, line, c)
-            reduce_line(lines, work, line, lines.end_unknown[line, 0] >= 0)
-    if islands.point_ptr[island + 1] > islands.point_ptr[island]:
-        solve_junctions(system, state, work, island, c)
-        copy_free_ends(lines, islands, island, work.increment)
+    solve_boundary(system, state, work, island, c)
     for k in range(l0, l1):
         line = islands.lines[k]
         if walks_once(lines, line):
             substitute(lines, work, line)
         else:
             back_substitute(lines, work, line, lines.end_unknown[line, 0] >= 0)
+
+
+@inlined
+def solve_boundary(system, state, work, island, c):
+    """Add the joints, reduce the lines that are not yet, and solve the junction system."""
+    lines, islands = system.lines, system.islands
+    add_joints(system, state, work, island, c)
+    for k in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
+        line = islands.lines[k]
+        if not walks_once(lines, line):
+            reduce_line(lines, work, line, lines.end_unknown[line, 0] >= 0)
+    solve_junctions(system, state, work, island, c)
 
 
 @inlined
@@ -65,9 +74,7 @@ def solve_island(system, state, work, island, c):
         put(work.increment, first, (0.0, 0.0, 0.0))
         put(work.increment, last, (0.0, 0.0, 0.0))
         reduce_line(lines, work, line, lines.end_unknown[line, 0] >= 0)
-    if islands.point_ptr[island + 1] > islands.point_ptr[island]:
-        solve_junctions(system, state, work, island, c)
-        copy_free_ends(lines, islands, island, work.increment)
+    solve_junctions(system, state, work, island, c)
     for k in range(l0, l1):
         line = islands.lines[k]
         back_substitute(lines, work, line, lines.end_unknown[line, 0] >= 0)

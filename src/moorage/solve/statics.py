@@ -80,7 +80,7 @@ def solve(built: Built, tolerance: float | None = None) -> Equilibrium:
 def rest(built: Built) -> None:
     """Attach all line ends at time 0 with everything at rest, without looking for equilibrium."""
     for island in range(len(built.system.islands.line_ptr) - 1):
-        place_at_rest(built.system, built.state, island)
+        place_at_rest(built.system, built.state, built.work, island)
 
 
 def _reach(built: Built, island: int) -> float:

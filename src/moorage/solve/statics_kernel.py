@@ -28,10 +28,10 @@ def stop_island(system, state, island):
 
 
 @kernel
-def place_at_rest(system, state, island):
+def place_at_rest(system, state, work, island):
     """Attach an island's line ends at time 0, at rest."""
     stop_island(system, state, island)
-    attach(system, state, island, 0.0)
+    attach(system, state, work, island, 0.0)
     stop_island(system, state, island)
 
 
@@ -44,7 +44,7 @@ def relax_island(system, state, work, island, reach, tolerance, iterations):
     the imbalance falls. Increments never exceed `reach` (m), for then the tangent may be indefinite (bending, contact);
     tau shrinks whenever that happens.
     """
-    place_at_rest(system, state, island)
+    place_at_rest(system, state, work, island)
     tau, before, damped = 1e3, 1e300, 0
     force, row = 1e300, -1
     for iteration in range(iterations):

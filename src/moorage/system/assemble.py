@@ -19,6 +19,7 @@ from moorage._vec3 import (
     mat_accumulate,
     mat_put,
     mat_scale,
+    mat_transpose,
     put,
     scale,
     sub,
@@ -29,7 +30,19 @@ from moorage._vec3 import (
     sym_to_general,
 )  # fmt: skip
 from moorage.layout import line_nodes
-from moorage.physics.bending import bending_terms, node_blocks
+from moorage.physics.bending import (
+    PAPER,
+    PINNED,
+    bend,
+    bending_terms,
+    clamp_terms,
+    end_hinge,
+    half_hinge,
+    hinge,
+    node_blocks,
+    node_hinge,
+    tabulated,
+)
 from moorage.physics.current import current_at
 from moorage.physics.morison import drag_terms, hydro_block, inertia_terms, wet_node, wet_part
 from moorage.physics.seabed import seabed_terms
@@ -38,6 +51,7 @@ from moorage.physics.weight import wet_shares
 
 ZERO3 = (0.0, 0.0, 0.0)
 ZERO6 = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+ZERO9 = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 SURFACE = 0.0  # z of the still water
 
 
@@ -55,7 +69,7 @@ def assemble_line(system, state, before, work, line, c):
         sym_put(work.blocks.own, i, own)
         mat_put(work.blocks.next, i, sym_to_general(coupling))
     if system.lines.bends[line]:
-        add_bending(system.bending, state, work, first, last, c)
+        add_bending(system, state, work, line, c)
 
 
 @inlined
@@ -124,13 +138,18 @@ def node_terms(system, i, hydro, q, r, v, a, z_before, c):
 
 
 @kernel
-def add_bending(p, state, work, first, last, c):
-    """Add the bend at every interior node: to the node, its two neighbours and their couplings."""
+def add_bending(system, state, work, line, c):
+    """Add the bend at every interior node, and the clamps: to nodes, neighbours and their couplings."""
+    p = system.bending
+    first, last = line_nodes(system.lines, line)
     force, own, next, skip = work.force, work.blocks.own, work.blocks.next, work.blocks.skip
+    mat_put(skip, last - 1, ZERO9)  # couplings beyond the end, which elimination reads
+    mat_put(skip, last, ZERO9)
     for i in range(first + 1, last):
         r = get(state.position, i)
-        e1, e2 = sub(r, get(state.position, i - 1)), sub(get(state.position, i + 1), r)
-        d1, d2, H11, H22, H12 = bending_terms(p, np.uintp(i), e1, e2, c.stiffness)
+        bent = bend(sub(r, get(state.position, i - 1)), sub(get(state.position, i + 1), r))
+        G, U = node_hinge(p, np.uintp(i), bent[4])
+        d1, d2, H11, H22, H12 = bending_terms(bent, G, U, c.stiffness)
         middle, before, after, H21 = node_blocks(H11, H22, H12)
         accumulate(force, i - 1, d1)
         accumulate(force, i, sub(d2, d1))
@@ -141,3 +160,64 @@ def add_bending(p, state, work, first, last, c):
         mat_accumulate(next, i - 1, before)
         mat_accumulate(next, i, after)
         mat_put(skip, i - 1, mat_scale(-1.0, H21))
+    for end in range(2):
+        if p.rule[line, end] != PINNED:
+            node, beside = (first, first + 1) if end == 0 else (last, last - 1)
+            gradient, H = clamp_at(p, state.position, work.direction, line, end, node, beside, c.stiffness)
+            accumulate(force, node, gradient)
+            accumulate(force, beside, scale(-1.0, gradient))
+            sym_accumulate(own, node, H)
+            sym_accumulate(own, beside, H)
+            mat_accumulate(next, min(node, beside), sym_to_general(sym_scale(-1.0, H)))
+
+
+@inlined
+def clamp_at(p, position, direction, line, end, node, beside, k):
+    """Gradient and block of a clamped end, by the vector from its node to the one beside it."""
+    e = sub(get(position, beside), get(position, node))
+    u = 1.0 / math.sqrt(dot(e, e))
+    q, d = scale(u, e), (direction[line, end, 0], direction[line, end, 1], direction[line, end, 2])
+    cosine = dot(q, d)
+    G, U = end_hinge(p, np.uintp(node), p.rule[line, end], cosine)
+    return clamp_terms(G, U, u, q, d, cosine, k)
+
+
+@kernel
+def add_joints(system, state, work, island, c):
+    """Add the bend where two line ends are joined: force, own blocks and couplings within each line, and across."""
+    lines, joints = system.lines, system.joints
+    force, own, next = work.force, work.blocks.own, work.blocks.next
+    for m in range(system.islands.joint_ptr[island], system.islands.joint_ptr[island + 1]):
+        node1, beside1, low1 = joint_nodes(lines, joints, m, 0)
+        node2, beside2, low2 = joint_nodes(lines, joints, m, 1)
+        r = get(state.position, node1)
+        bent = bend(sub(r, get(state.position, beside1)), sub(get(state.position, beside2), r))
+        G, U = joint_hinge(system.bending, joints, m, bent[4])
+        d1, d2, H11, H22, H12 = bending_terms(bent, G, U, c.stiffness)
+        middle, before, after, H21 = node_blocks(H11, H22, H12)
+        accumulate(force, beside1, d1)
+        accumulate(force, node1, sub(d2, d1))
+        accumulate(force, beside2, scale(-1.0, d2))
+        sym_accumulate(own, beside1, H11)
+        sym_accumulate(own, node1, middle)
+        sym_accumulate(own, beside2, H22)
+        # `before` couples the joint's row to the node on the first line, `after` that on the second to the joint's
+        mat_accumulate(next, low1, before if node1 > beside1 else mat_transpose(before))
+        mat_accumulate(next, low2, after if beside2 > node2 else mat_transpose(after))
+        mat_put(work.blocks.joint, m, mat_scale(-1.0, H21))
+
+
+@inlined
+def joint_nodes(lines, joints, m, side):
+    """End node of a line at a joint, the node beside it, and the lower of both."""
+    first, last = line_nodes(lines, joints.line[m, side])
+    return (first, first + 1, first) if joints.end[m, side] == 0 else (last, last - 1, last - 1)
+
+
+@inlined
+def joint_hinge(p, joints, m, c):
+    """Return -dE/dc and d2E/dc2 of a joint."""
+    if joints.table[m] >= 0:
+        return tabulated(p, joints.table[m], c)
+    k1, k2 = joints.stiffness[m, 0], joints.stiffness[m, 1]
+    return half_hinge(k1, k2, c) if joints.rule[m] == PAPER else hinge(k1, k2, c)

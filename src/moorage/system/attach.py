@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from moorage._jit import inlined, kernel
-from moorage._vec3 import get, put
+from moorage._vec3 import get, put, unit
 from moorage.layout import line_nodes, point_row
 from moorage.physics.motion import follow
 
 
 @inlined
-def place_prescribed_ends(system, state, island, t):
-    """Put the line ends on prescribed points where these are at time t."""
+def place_prescribed_ends(system, state, work, island, t):
+    """Put the line ends on prescribed points where these are at time t, and turn the clamps."""
     lines, islands = system.lines, system.islands
     for k in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
         line = islands.lines[k]
@@ -22,6 +22,9 @@ def place_prescribed_ends(system, state, island, t):
                 put(state.position, row, r)
                 put(state.velocity, row, v)
                 put(state.acceleration, row, a)
+            if system.bending.direction[line, end] >= 0:
+                d = unit(follow(system.tracks, system.bending.direction[line, end], t)[0])
+                put(work.direction[line], end, d)
 
 
 @kernel
@@ -37,9 +40,9 @@ def copy_free_ends(lines, islands, island, values):
 
 
 @inlined
-def attach(system, state, island, t):
+def attach(system, state, work, island, t):
     """Give all line ends of an island the motion of their points at time t."""
-    place_prescribed_ends(system, state, island, t)
+    place_prescribed_ends(system, state, work, island, t)
     if system.islands.point_ptr[island + 1] > system.islands.point_ptr[island]:
         copy_free_ends(system.lines, system.islands, island, state.position)
         copy_free_ends(system.lines, system.islands, island, state.velocity)
