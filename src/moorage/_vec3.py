@@ -52,6 +52,11 @@ def dot(u, v):
 
 
 @inlined
+def cross(u, v):
+    return u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]
+
+
+@inlined
 def unit(u):
     return scale(1.0 / math.sqrt(dot(u, u)), u)
 

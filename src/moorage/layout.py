@@ -5,14 +5,14 @@
     0  1  2  3  4     5  6  7                8  9 10 11     rows of every state array, (rows, 3)
       0  1  2  3        4  5                                segments: that after node i of line k is i - k
 
-Lines and points stand in the order of the file; after the points come the ends of rods, which hold lines just as points
-do. A line owns both its end nodes; they copy the point that they hold on to, or follow the prescribed motion of that
-point (whose own row is then not used). Lines that share free points form an island; islands do not see each other, and
-each takes steps of its own size.
+Lines and points stand in the order of the file; after the points come the ends of rods, which hold lines just as
+points do. A line owns both its end nodes; they copy the point that they hold on to, or follow the prescribed motion of
+that point (whose own row is then not used). Lines that share free points form an island; islands do not see each other,
+and each takes steps of its own size.
 
-Elimination leaves the *boundary* of a line: an end node on a free point, and next to a joint of two cables also the node
-beside it, because the joint's hinge reaches that far. Free points and those nodes are the unknown 3-vectors of the
-junction system of an island.
+Elimination leaves the *boundary* of a line: an end node on a free point, and next to a joint of two cables also the
+node beside it, because the joint's hinge reaches that far. Free points and those nodes are the unknown 3-vectors of
+the junction system of an island.
 """
 
 from __future__ import annotations
@@ -134,7 +134,10 @@ def copy_of(state: State) -> State:
 def new_work(system: System) -> Work:
     """Return scratch space for a system."""
     rows = int(system.lines.node_ptr[-1]) + len(system.points.mass)
-    blocks = Blocks(*(np.zeros((rows, width)) for width in (6, 9, 9, 9, 9)), np.zeros((len(system.joints.rule), 9)))
+    blocks = Blocks(
+        np.zeros((rows, 6)), np.zeros((rows, 9)), np.zeros((rows, 9)), np.zeros((rows, 9)), np.zeros((rows, 9)),
+        np.zeros((len(system.joints.rule), 9)),
+    )  # fmt: skip
     return Work(
         new_state(rows),
         blocks,

@@ -17,7 +17,7 @@ from moorage.solve.line_solve import assemble_and_reduce, back_substitute, reduc
 from moorage.solve.newton import assemble_island, newton_island, solve_island
 from moorage.solve.statics import solve
 from moorage.solve.statics_kernel import place_at_rest
-from moorage.solve.stiffness import coupled_stiffness, line_blocks, platform_stiffness
+from moorage.solve.stiffness import condense_island, coupled_stiffness, platform_stiffness
 from moorage.system.assemble import assemble_line
 from moorage.system.attach import copy_free_ends
 from moorage.system.build import Built, build
@@ -168,7 +168,10 @@ def test_condensed_end_blocks_are_schur_complements(name):
     """What elimination leaves at the ends of a line is K_ee - K_ei K_ii^-1 K_ie of the line's dense matrix."""
     built = shaken(TOPOLOGIES[name])
     K = assembled(built, STIFFNESS)[0]
-    blocks = line_blocks(built)
+    blocks, across = np.zeros((len(built.names.lines), 4, 4, 9)), np.zeros((0, 9))
+    for island in range(len(built.system.islands.line_ptr) - 1):
+        condense_island(built.system, built.state, built.work, island, STIFFNESS, blocks, across)
+    blocks = blocks[:, ::3, ::3].reshape(-1, 2, 2, 3, 3)
     for k, (first, end) in enumerate(zip(built.names.node_ptr[:-1], built.names.node_ptr[1:], strict=True)):
         n = 3 * (end - first)
         part = K[3 * first : 3 * end, 3 * first : 3 * end]

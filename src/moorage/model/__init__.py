@@ -2,7 +2,9 @@
 
 from moorage.model.components import (
     Attachment,
+    BendStiffener,
     Body,
+    BuoyancyModules,
     Control,
     Curve,
     ExternalLoad,
@@ -21,7 +23,9 @@ from moorage.model.motion import Motion
 __all__ = [
     "Attachment",
     "Bathymetry",
+    "BendStiffener",
     "Body",
+    "BuoyancyModules",
     "Control",
     "Current",
     "Curve",

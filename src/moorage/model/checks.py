@@ -9,6 +9,7 @@ from math import isfinite
 from typing import Any
 
 from moorage.errors import ModelError, Problem, Source
+from moorage.model.cables import directions_are_given, joints_are_joints, sections_are_graded_well, stiffeners_fit
 from moorage.model.channels import parse_channel
 from moorage.model.components import Attachment, Curve, Line, LineType
 from moorage.model.model import Model
@@ -354,6 +355,10 @@ CHECKS: tuple[Check, ...] = (
     ends_exist,
     carriers_exist,
     rods_have_length,
+    directions_are_given,
+    joints_are_joints,
+    stiffeners_fit,
+    sections_are_graded_well,
     free_points_are_held,
     events_name_what_exists,
     channels_exist,

@@ -5,6 +5,7 @@ z points up from the still water level; end A of a line is the anchor end, end B
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
 from typing import Literal
 
@@ -100,13 +101,73 @@ class RodType:
 
 
 @dataclass(frozen=True, kw_only=True)
+class BuoyancyModules:
+    """Discrete modules on a section, smeared over its segments: one every `pitch` m.
+
+    `diameter` (outer, m), `length` (m), `mass` (kg) of one module; its net volume is the sleeve around the line.
+    """
+
+    diameter: float
+    length: float
+    mass: float
+    pitch: float
+    source: Source | None = field(default=None, compare=False, repr=False)
+
+
+@dataclass(frozen=True, kw_only=True)
 class Section:
-    """A stretch of line of one type: unstretched length (m) cut into equal segments."""
+    """A stretch of line of one type: unstretched length (m) cut into segments.
+
+    Segments are equal, or grow geometrically from end A to end B to `grading` times the length of the first.
+    """
 
     line_type: str
     length: float
     segments: int
+    grading: float = 1.0
+    modules: BuoyancyModules | None = None
     source: Source | None = field(default=None, compare=False, repr=False)
+
+    @property
+    def segment_lengths(self) -> tuple[float, ...]:
+        """Unstretched lengths of the segments from end A to end B, m."""
+        n = self.segments
+        parts = [self.grading ** (k / (n - 1)) for k in range(n)] if n > 1 else [1.0]
+        return tuple(self.length * part / sum(parts) for part in parts)
+
+
+@dataclass(frozen=True, kw_only=True)
+class BendStiffener:
+    """A tapered sleeve around one end of a line; it adds bending stiffness, mass, volume and drag.
+
+    Parameters
+    ----------
+    end : {"A", "B"}
+        The end of the line at which it sits, root first.
+    length : float
+        m along the line from the root.
+    root_diameter, tip_diameter : float
+        Outer diameters, m; the taper is linear.
+    youngs_modulus : float
+        Of the sleeve, Pa: EI grows by E pi / 64 (D^4 - d^4). Not used when `stiffness` is given.
+    density : float
+        Of the sleeve, kg/m3: mass grows by density pi / 4 (D^2 - d^2), d the line's diameter.
+    stiffness : Curve or None
+        Added EI (N m2) against the distance from the root (m).
+    """
+
+    end: Literal["A", "B"]
+    length: float
+    root_diameter: float
+    tip_diameter: float
+    youngs_modulus: float = 0.0
+    density: float = 0.0
+    stiffness: Curve | None = None
+    source: Source | None = field(default=None, compare=False, repr=False)
+
+    def diameter(self, distance: float) -> float:
+        """Outer diameter (m) at a distance from the root (m)."""
+        return self.root_diameter + (self.tip_diameter - self.root_diameter) * distance / self.length
 
 
 @dataclass(frozen=True)
@@ -126,7 +187,8 @@ class Line:
     """A line of one or more sections, listed from end A to end B.
 
     `outputs` holds MoorDyn's letters of the LineOutputs column ("" for none), `syrope_tensions` the highest and the
-    present mean tension (N) that a Syrope line starts from.
+    present mean tension (N) that a Syrope line starts from. `end_stiffness` is the rotational stiffness (N m/rad) with
+    which rods hold ends A and B of a line with bending stiffness: None clamps, 0 pins.
     """
 
     id: int
@@ -136,6 +198,8 @@ class Line:
     name: str = ""
     outputs: str = ""
     syrope_tensions: tuple[float, float] | None = None
+    stiffeners: tuple[BendStiffener, ...] = ()
+    end_stiffness: tuple[float | None, float | None] = (None, None)
     source: Source | None = field(default=None, compare=False, repr=False)
 
     @property
@@ -209,6 +273,13 @@ class Rod:
     outputs: str = ""
     name: str = ""
     source: Source | None = field(default=None, compare=False, repr=False)
+
+    @property
+    def direction(self) -> tuple[float, float, float]:
+        """Unit vector from end A towards end B, in the axes in which the rod is described."""
+        a, b = self.end_a, self.end_b
+        size = math.dist(a, b)
+        return (b[0] - a[0]) / size, (b[1] - a[1]) / size, (b[2] - a[2]) / size
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -17,10 +17,6 @@ from numpy.typing import ArrayLike
 from moorage.errors import MotionError, Problem, Source
 from moorage.model.model import Model
 
-
-MOVED = ("coupled", "coupled-pinned")  # kinds of bodies and rods that a motion moves
-
-
 MOVED = ("coupled", "coupled-pinned")  # kinds of bodies and rods that a motion moves
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 from moorage.errors import Problem, UnsupportedError
-from moorage.model.components import Curve
+from moorage.model.cables import stiff_ends
 from moorage.model.model import Model
 
 
@@ -21,21 +21,25 @@ def unbuilt(model: Model) -> list[Problem]:
     return [problem for feature in UNBUILT for problem in feature(model)]
 
 
-def _rods(model: Model) -> Iterator[Problem]:
+def _moving_rods(model: Model) -> Iterator[Problem]:
     for rod in model.rods:
-        yield Problem(f"rod {rod.id}: rods are not simulated yet", "use points", rod.source)
+        if rod.kind in ("pinned", "coupled-pinned") or (rod.kind == "free" and rod.body is None and rod.segments):
+            message = f"rod {rod.id}: {rod.kind} rods are not simulated yet"
+            yield Problem(message, "make it fixed, coupled or carried by a body, or give it no length", rod.source)
 
 
-def _bodies(model: Model) -> Iterator[Problem]:
+def _moving_bodies(model: Model) -> Iterator[Problem]:
     for body in model.bodies:
-        yield Problem(f"body {body.id}: bodies are not simulated yet", "move coupled points by a motion", body.source)
+        if body.kind not in ("fixed", "coupled"):
+            message = f"body {body.id}: {body.kind} bodies are not simulated yet"
+            yield Problem(message, "make it fixed, or coupled and moved by a motion", body.source)
 
 
-def _points_on_bodies(model: Model) -> Iterator[Problem]:
-    for point in model.points:
-        if point.body is not None:
-            message = f"point {point.id}: points on bodies are not simulated yet"
-            yield Problem(message, "describe it as fixed, coupled or free", point.source)
+def _joints(model: Model) -> Iterator[Problem]:
+    for rod in model.rods:
+        if rod.kind == "free" and not rod.segments and len(stiff_ends(model, rod.id)) > 2:
+            message = f"rod {rod.id}: joints of more than two cables are not simulated yet"
+            yield Problem(message, "join two cables at a rod", rod.source)
 
 
 def _turbines(model: Model) -> Iterator[Problem]:
@@ -44,13 +48,6 @@ def _turbines(model: Model) -> Iterator[Problem]:
             if thing.turbine is not None:  # type: ignore[attr-defined]
                 message = f"{kind} {thing.id}: attachments to turbines are not simulated yet"  # type: ignore[attr-defined]
                 yield Problem(message, "describe it as coupled", thing.source)  # type: ignore[attr-defined]
-
-
-def _bending(model: Model) -> Iterator[Problem]:
-    for t in model.line_types:
-        if isinstance(t.bending_stiffness, Curve) or t.bending_stiffness > 0.0:
-            message = f"line type {t.name}: bending stiffness is not simulated yet"
-            yield Problem(message, "set EI to 0", t.source, getattr(t.bending_stiffness, "file", t.bending_stiffness))
 
 
 def _viscoelastic(model: Model) -> Iterator[Problem]:
@@ -111,11 +108,10 @@ def _external_loads(model: Model) -> Iterator[Problem]:
 
 
 UNBUILT: tuple[Callable[[Model], Iterator[Problem]], ...] = (
-    _rods,
-    _bodies,
-    _points_on_bodies,
+    _moving_rods,
+    _moving_bodies,
+    _joints,
     _turbines,
-    _bending,
     _viscoelastic,
     _syrope,
     _vortex_vibration,

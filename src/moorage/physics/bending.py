@@ -4,10 +4,10 @@ Two half segments of stiffness k1 and k2 (N m/rad, k = 2 EI / l each) meet at a 
 
     E(c) = k1 + k2 - S,   S = sqrt(k1^2 + k2^2 + 2 k1 k2 c),   moment = k1 k2 sin(a) / S
 
-It is what two springs in series store, at the direction between them that balances both. With equal halves it is exactly
-the moment EI kappa of Hall, Sirnivas & Yu 2020, equation 7: (2 EI / l) sin(a / 2). A clamp is k2 = infinity, a pin k2 = 0.
-Equation 10 of that paper, for an end clamped to a rod, is the same energy of *half* the angle, taken four times:
-E = 4 K (1 - cos(a / 2)), kappa = (4 / l) sin(a / 2); it is 1 / cos(a / 2) stiffer than the law that leaves a cable
+It is what two springs in series store, at the direction between them that balances both. With equal halves it is
+exactly the moment EI kappa of Hall, Sirnivas & Yu 2020, equation 7: (2 EI / l) sin(a / 2). A clamp is k2 = infinity, a
+pin k2 = 0. Equation 10 of that paper, for an end clamped to a rod, is the same energy of *half* the angle, taken four
+times: E = 4 K (1 - cos(a / 2)), kappa = (4 / l) sin(a / 2); it is 1 / cos(a / 2) stiffer than the law that leaves a cable
 unchanged when a rod of no length is put into it (kappa = (2 / l) sin a). Files of MoorDyn take the paper's rule, native
 ones the exact one.
 

@@ -123,4 +123,4 @@ class HostMarch:
         record = new_record(self.built.system, np.array([time]), np.zeros(0), np.zeros((0, 2), dtype=np.int64))
         self._march.run(time, time, record)
         self._march.time = time
-        return self._march.block(record, 1, 0)["point_force"][0][self.built.coupled]
+        return self._march.block(record, 1, 0)["holder_force"][0][self.built.coupled]

@@ -3,7 +3,7 @@
 The matrix couples a node to the next one (and with bending to the one after). Nodes begin .. end-1 are eliminated
 upwards; each pivot is replaced by its inverse, and what remains is the small dense system of the boundary:
 
-    nodes first (and first+1 beside a joint) with the fill-in columns `start` (and `inner`), needed if end A is free only,
+    nodes first (and first+1 beside a joint) with the fill-in columns `start` (and `inner`), if end A is free,
     nodes last (and last-1 beside a joint).
 """
 

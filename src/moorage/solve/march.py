@@ -213,18 +213,22 @@ class March:
         force, load = (np.stack([lines[:, :, a : a + 3], lines[:, :, b : b + 3]], axis=2) for a, b in ends)
         points = record.points[:rows].copy()
         self._fill_prescribed(record.time[:rows], points)
+        holder_force, named = self._holder_force(force), len(self.built.names.points)
         w = record.watch[:rows]
         block = {
             "time": record.time[:rows],
             "end_force": force,
             "end_load": load,
             "end_tension": lines[:, :, [c.TENSION_A, c.TENSION_B]],
+            "end_moment": np.stack([lines[:, :, c.MOMENT_A : c.MOMENT_A + 3], lines[:, :, c.MOMENT_B :]], axis=2),
             "lowest_tension": lines[:, :, c.LOWEST],
             "grounded_length": lines[:, :, c.GROUNDED],
-            "point_position": points[:, :, 0:3],
-            "point_velocity": points[:, :, 3:6],
-            "point_acceleration": points[:, :, 6:9],
-            "point_force": self._point_force(force),
+            "point_position": points[:, :named, 0:3],
+            "point_velocity": points[:, :named, 3:6],
+            "point_acceleration": points[:, :named, 6:9],
+            "point_force": holder_force[:, :named],
+            "holder_force": holder_force,
+            "holder_position": points[:, :, 0:3],
             "watch_position": w[:, :, c.POSITION : c.POSITION + 3],
             "watch_velocity": w[:, :, c.VELOCITY : c.VELOCITY + 3],
             "watch_force": w[:, :, c.FORCE : c.FORCE + 3],
@@ -236,6 +240,8 @@ class March:
                 "node_position": record.node_position[:node_rows],
                 "node_velocity": record.node_velocity[:node_rows],
                 "segment_tension": record.segment_tension[:node_rows],
+                "curvature": record.curvature[:node_rows],
+                "bending_moment": record.moment[:node_rows],
             }
         return block
 
@@ -246,10 +252,10 @@ class March:
         for k in held[tracks.track[held] >= 0]:
             sample_track(tracks, k, times, points[:, k, 0:3], points[:, k, 3:6], points[:, k, 6:9])
 
-    def _point_force(self, force) -> np.ndarray:
-        """Sum of the forces of all lines on each point."""
+    def _holder_force(self, force) -> np.ndarray:
+        """Sum of the forces of all lines on each point and rod end."""
         ends = self.built.system.lines.end_point.ravel()
-        n, points = len(force), len(self.built.names.points)
+        n, points = len(force), len(self.built.system.points.mass)
         holds = csr_array((np.ones(len(ends)), (ends, np.arange(len(ends)))), shape=(points, len(ends)))
         by_end = force.reshape(n, len(ends), 3).swapaxes(0, 1).reshape(len(ends), 3 * n)
         return (holds @ by_end).reshape(points, n, 3).swapaxes(0, 1)

@@ -72,7 +72,9 @@ def march_island(system, old, now, work, clocks, control, island, until, stop, i
         while row < len(record.time) and record.time[row] <= t + eps:
             for side in range(2):  # one call in a loop, because it is inlined and long
                 if not (known_before if side == 0 else known_after):
-                    sample_island(system, a if side == 0 else b, island, before if side == 0 else after)
+                    sample_island(
+                        system, a if side == 0 else b, t0 if side == 0 else t, island, before if side == 0 else after
+                    )
             known_before, known_after = True, True
             s = fraction(record.time[row], t0, t)
             record_lines(system, a, b, island, before, after, t - t0, s, record, row)

@@ -13,7 +13,8 @@ def place_name(built: Built, row: int) -> str:
     if row < 0:
         return "an unknown place"
     if row >= names.node_ptr[-1]:
-        return f"point {names.points[row - names.node_ptr[-1]]}"
+        number = row - names.node_ptr[-1]
+        return f"point {names.points[number]}" if number < len(names.points) else "a free rod"
     line = int(np.searchsorted(names.node_ptr, row, side="right")) - 1
     node = row - names.node_ptr[line]
     return f"node {node} of {names.node_ptr[line + 1] - names.node_ptr[line] - 1} of line {names.lines[line]}"

@@ -16,10 +16,12 @@ from moorage.layout import Weights, line_nodes, point_row
 from moorage.physics.morison import inertia_terms, wet_node, wet_part
 from moorage.physics.tension import segment_tension, tension_terms
 from moorage.physics.weight import wet_shares
+from moorage.solve.bends import end_bending, node_bending, record_joints
 from moorage.system.assemble import SURFACE, node_terms, unit_or_zero
 
 # columns of Record.lines
-FORCE_A, FORCE_B, LOAD_A, LOAD_B, TENSION_A, TENSION_B, LOWEST, GROUNDED, COLUMNS = 0, 3, 6, 9, 12, 13, 14, 15, 16
+FORCE_A, FORCE_B, LOAD_A, LOAD_B, TENSION_A, TENSION_B, LOWEST, GROUNDED = 0, 3, 6, 9, 12, 13, 14, 15
+MOMENT_A, MOMENT_B, COLUMNS = 16, 19, 22
 # columns of Record.watch
 POSITION, VELOCITY, FORCE, TENSION, WATCH_COLUMNS = 0, 3, 6, 9, 10
 
@@ -36,6 +38,8 @@ class Record(NamedTuple):
     node_position: np.ndarray  # (m, nodes, 3)
     node_velocity: np.ndarray  # (m, nodes, 3)
     segment_tension: np.ndarray  # (m, segments)
+    curvature: np.ndarray  # (m, nodes) 1/m
+    moment: np.ndarray  # (m, nodes) N m
     samples: np.ndarray  # (2, lines, COLUMNS) scratch: at the ends of a step
 
 
@@ -53,6 +57,8 @@ def new_record(system, time, node_time, watched) -> Record:
         np.zeros((m, nodes, 3)),
         np.zeros((m, nodes, 3)),
         np.zeros((m, nodes - lines)),
+        np.zeros((m, nodes)),
+        np.zeros((m, nodes)),
         np.zeros((2, lines, COLUMNS)),
     )
 
@@ -66,7 +72,7 @@ def spans(state, i):
 
 @inlined
 def node_force(system, state, line, i):
-    """Force of all terms but inertia on node i of a line, and its inertia force -M a, N (bending left out)."""
+    """Force of all terms but inertia and bending on node i of a line, and its inertia force -M a, N."""
     first, last = line_nodes(system.lines, line)
     r, v = get(state.position, i), get(state.velocity, i)
     c = Weights(0.0, 0.0, 0.0)
@@ -98,8 +104,8 @@ def node_force(system, state, line, i):
 
 
 @inlined
-def sample_island(system, state, island, sample):
-    """Evaluate the columns of all lines of an island at one state."""
+def sample_island(system, state, t, island, sample):
+    """Evaluate the columns of all lines of an island at the state of time t."""
     islands = system.islands
     for m in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
         line = islands.lines[m]
@@ -110,6 +116,13 @@ def sample_island(system, state, island, sample):
         load, inertia = node_force(system, state, line, last)
         put_row(sample, line, LOAD_B, load)
         put_row(sample, line, FORCE_B, add(load, inertia))
+        if system.lines.bends[line]:
+            for end in range(2):
+                force, moment = end_bending(system, state.position, line, end, t)
+                for x in range(3):
+                    sample[line, LOAD_A + 3 * end + x] += force[x]
+                    sample[line, FORCE_A + 3 * end + x] += force[x]
+                    sample[line, MOMENT_A + 3 * end + x] = moment[x]
         lowest, grounded, tension = 1e300, 0.0, 0.0
         below = depth_at(system, state, first)
         for i in range(first, last):
@@ -123,6 +136,13 @@ def sample_island(system, state, island, sample):
             grounded += system.tension.length[j] * grounded_part(below, below_next)
             below = below_next
         sample[line, TENSION_B], sample[line, LOWEST], sample[line, GROUNDED] = tension, lowest, grounded
+
+
+@kernel
+def sample_system(system, state, t, sample):
+    """Evaluate the columns (lines, COLUMNS) of all lines at the state of time t."""
+    for island in range(len(system.islands.line_ptr) - 1):
+        sample_island(system, state, t, island, sample)
 
 
 @inlined
@@ -215,7 +235,7 @@ def node_tension(system, state, line, i):
 
 @kernel
 def record_nodes(system, old, now, island, h, s, record, row):
-    """Write the node histories of an island at one time."""
+    """Write the node histories of an island at one time, and the bending that goes with the interpolated shape."""
     islands = system.islands
     for m in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
         line = islands.lines[m]
@@ -231,3 +251,9 @@ def record_nodes(system, old, now, island, h, s, record, row):
                 t0 = segment_tension(system.tension, j, e, de)
                 e, de = spans(now, i)
                 record.segment_tension[row, i - line] = (1.0 - s) * t0 + s * segment_tension(system.tension, j, e, de)
+        if system.lines.bends[line]:
+            position = record.node_position[row]
+            for i in range(first, last + 1):
+                bend = node_bending(system, position, line, i, record.node_time[row])
+                record.curvature[row, i], record.moment[row, i] = bend
+    record_joints(system, island, record, row)

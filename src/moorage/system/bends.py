@@ -28,7 +28,7 @@ def build_bending(model: Model, holders: Holders, segments, node_ptr, first_dire
     meeting: dict[int, list[tuple[int, int]]] = {}
 
     def tabulate(j0, j1):
-        """Number of the table of moment against 2 sin(a / 2) of two half segments in series, -1 if both are constant."""
+        """Number of the table of moment against 2 sin(a / 2) of two half segments, -1 if both are constant."""
         curve = series(segments[j0], segments[j1])
         if curve is None:
             return -1
@@ -45,7 +45,7 @@ def build_bending(model: Model, holders: Holders, segments, node_ptr, first_dire
         for end, (node, jj, hold) in enumerate(((first, first - k, line.end_a), (last, last - 1 - k, line.end_b))):
             if stiffness[jj] <= 0.0 or hold.kind != "rod":
                 continue
-            holder = holders.index[hold]
+            holder = holders.number[hold]
             if holder in holders.joints:
                 meeting.setdefault(holder, []).append((k, end))
                 continue

@@ -5,12 +5,9 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 
-from moorage.layout import Islands, Lines, State, System, Work, new_state, new_work
+from moorage.layout import State, System, Work, new_state, new_work
 from moorage.model import Curve, Model, Motion
-from moorage.physics.bending import Bending
 from moorage.physics.current import Current
 from moorage.physics.morison import Morison
 from moorage.physics.motion import Tracks, no_tracks, spline_tracks
@@ -19,8 +16,11 @@ from moorage.physics.seabed import Seabed
 from moorage.physics.table import build_tables
 from moorage.physics.tension import Tension, damping_from_ratio
 from moorage.physics.weight import Weight
+from moorage.system.bends import build_bending
 from moorage.system.guess import place_guess
+from moorage.system.holders import Holders, holders_of
 from moorage.system.segments import NodeSum, segment_table
+from moorage.system.topology import islands_of
 
 
 class Names(NamedTuple):
@@ -42,7 +42,7 @@ class Built(NamedTuple):
     work: Work
     names: Names
     island_of_line: np.ndarray  # (lines,)
-    coupled: np.ndarray  # (m,) indices of the points that prescribed motion moves
+    coupled: np.ndarray  # (m,) rows of points and rod ends, counted from the first point, that a motion moves
 
 
 def build(model: Model, motion: Motion | None = None, duration: float | None = None) -> Built:
@@ -54,43 +54,47 @@ def build(model: Model, motion: Motion | None = None, duration: float | None = N
         The motion does not fit the model, or is shorter than `duration` (s).
     """
     env = model.environment
-    rest = [p.position for p in model.points]
-    tracks = _tracks(model, motion, duration, rest)
+    holders = holders_of(model, motion, duration)
     segments = segment_table(model)
     count = np.array([line.segments for line in model.lines], dtype=np.int64)
     node_ptr = np.concatenate([[0], np.cumsum(count + 1)]).astype(np.int64)
     to_nodes = NodeSum(node_ptr)
-    lines, islands, island_of_line = _topology(model, node_ptr, segments)
+    ends = [(holders.number[line.end_a], holders.number[line.end_b]) for line in model.lines]
+    bending, joints, clamps = build_bending(model, holders, segments, node_ptr, len(holders.rest))
+    bends = np.add.reduceat(segments["bending_stiffness"], node_ptr[:-1] - np.arange(len(count))) > 0.0
+    lines, islands, joints, island_of_line = islands_of(
+        node_ptr, np.array(ends, dtype=np.int64).reshape(-1, 2), holders.free, bends, joints
+    )
     # copied out of the table: a strided array would be another type to the compiler, unless it has one element only
     l, d, m = (np.ascontiguousarray(segments[name]) for name in ("length", "diameter", "mass"))
-    displaced = env.water_density * np.pi / 4.0 * d**2 * l
+    displaced = env.water_density * segments["area"] * l
     hydro = np.stack(
         [
             displaced * segments["added_normal"],
             displaced * segments["added_axial"],
-            0.5 * env.water_density * d * l * segments["drag_normal"],
-            0.5 * env.water_density * np.pi * d * l * segments["drag_axial"],
+            0.5 * env.water_density * segments["width"] * l * segments["drag_normal"],
+            0.5 * env.water_density * np.pi * segments["girth"] * l * segments["drag_axial"],
         ],
         axis=1,
     )
     mass = to_nodes(m * l)
-    inner = to_nodes.inner_mean(l)
     system = System(
         lines=lines,
         islands=islands,
+        joints=joints,
         tension=_tension(l, segments),
-        bending=Bending(to_nodes.inner_mean(segments["bending_stiffness"]) / np.where(inner > 0.0, inner, 1.0)),
+        bending=bending,
         weight=Weight(-env.gravity * mass, env.gravity * displaced, 0.5 * d),
         morison=Morison(mass, np.stack([to_nodes(h) for h in hydro.T], axis=1), hydro),
         seabed=Seabed(
             to_nodes(env.seabed_stiffness * d * l), to_nodes(env.seabed_damping * d * l), -float(env.water_depth)
         ),
-        points=_points(model),
+        points=_points(model, len(holders.rest)),
         current=Current(np.array(env.current.z, float), np.array(env.current.velocity, float).reshape(-1, 3)),
-        tracks=tracks,
+        tracks=_tracks(motion, holders, clamps),
     )
-    state = new_state(int(node_ptr[-1]) + len(model.points))
-    place_guess(model, system, state, l, segments["weight"])
+    state = new_state(int(node_ptr[-1]) + len(holders.rest))
+    place_guess(model, system, state, l, env.gravity * (m - env.water_density * segments["area"]))
     arc = np.concatenate([np.concatenate([[0.0], np.cumsum(part)]) for part in np.split(l, np.cumsum(count)[:-1])])
     names = Names(
         np.array([line.id for line in model.lines], dtype=np.int64),
@@ -100,8 +104,7 @@ def build(model: Model, motion: Motion | None = None, duration: float | None = N
         l,
         arc,
     )
-    coupled = np.array([k for k, p in enumerate(model.points) if p.kind == "coupled"], dtype=np.int64)
-    return Built(system, state, new_work(system), names, island_of_line, coupled)
+    return Built(system, state, new_work(system), names, island_of_line, np.flatnonzero(holders.coupled))
 
 
 def with_motion(built: Built, tracks: Tracks) -> Built:
@@ -109,38 +112,13 @@ def with_motion(built: Built, tracks: Tracks) -> Built:
     return built._replace(system=built.system._replace(tracks=tracks))
 
 
-def _tracks(model: Model, motion: Motion | None, duration: float | None, rest) -> Tracks:
+def _tracks(motion: Motion | None, holders: Holders, clamps: list[np.ndarray]) -> Tracks:
+    """Tracks of the holders, then of the directions of the clamps."""
+    rest = np.concatenate([holders.rest, np.array([c if c.ndim == 1 else c[0] for c in clamps]).reshape(-1, 3)])
     if motion is None:
         return no_tracks(rest)
-    index = {p.id: k for k, p in enumerate(model.points)}
-    moved = motion.resolve(model, duration)
-    return spline_tracks(rest, motion.time, {index[id]: positions for id, positions in moved.items()})
-
-
-def _topology(model: Model, node_ptr, segments):
-    """Group lines that share free points into islands."""
-    index = {p.id: k for k, p in enumerate(model.points)}
-    free = np.array([p.kind == "free" for p in model.points], dtype=bool)
-    ends = np.array([(index[line.end_a.id], index[line.end_b.id]) for line in model.lines], dtype=np.int64)
-    n = len(model.lines)
-    pairs = [(k, point) for k, both in enumerate(ends) for point in both if free[point]]
-    rows, columns = np.array(pairs, dtype=np.int64).reshape(-1, 2).T
-    graph = coo_array((np.ones(len(rows)), (rows, n + columns)), shape=(n + len(free), n + len(free)))
-    _, label = connected_components(graph, directed=False)
-    free_points = np.flatnonzero(free)
-    names, island = np.unique(np.concatenate([label[:n], label[n + free_points]]), return_inverse=True)
-    island_of_line, island_of_point = island[:n], island[n:]
-    order = np.argsort(island_of_line, kind="stable")
-    point_order = np.argsort(island_of_point, kind="stable")
-    line_ptr = np.searchsorted(island_of_line[order], np.arange(len(names) + 1)).astype(np.int64)
-    point_ptr = np.searchsorted(island_of_point[point_order], np.arange(len(names) + 1)).astype(np.int64)
-    listed = free_points[point_order]
-    unknown = np.full(len(free), -1, dtype=np.int64)
-    unknown[listed] = np.arange(len(listed)) - point_ptr[island_of_point[point_order]]
-    matrix_ptr = np.concatenate([[0], np.cumsum((3 * np.diff(point_ptr)) ** 2)]).astype(np.int64)
-    stiff = np.add.reduceat(segments["bending_stiffness"], node_ptr[:-1] - np.arange(n)) > 0.0
-    lines = Lines(node_ptr, ends, unknown[ends], stiff)
-    return lines, Islands(line_ptr, order.astype(np.int64), point_ptr, listed, matrix_ptr), island_of_line
+    turning = {len(holders.rest) + k: c for k, c in enumerate(clamps) if c.ndim == 2}
+    return spline_tracks(rest, motion.time, holders.moved | turning)
 
 
 def _tension(l, segments) -> Tension:
@@ -167,17 +145,25 @@ def _tension(l, segments) -> Tension:
     return Tension(l, stiffness / l, damping / l, np.zeros(len(l)), spring_table, damper_table, build_tables(curves))
 
 
-def _points(model: Model) -> PointLoads:
+def _points(model: Model, count: int) -> PointLoads:
+    """Loads of the points by themselves; the holders after them, ends of rods, have none."""
     env = model.environment
-    mass = np.array([p.mass for p in model.points], dtype=float)
-    volume = np.array([p.volume for p in model.points], dtype=float)
-    displaced = env.water_density * volume
+
+    def column(values):
+        out = np.zeros(count)
+        out[: len(model.points)] = values
+        return out
+
+    mass = column([p.mass for p in model.points])
+    volume = column([p.volume for p in model.points])
+    force = np.zeros((count, 3))
+    force[: len(model.points)] = np.array([p.external_force for p in model.points], dtype=float).reshape(-1, 3)
     return PointLoads(
         mass,
-        displaced * np.array([p.added_mass for p in model.points], dtype=float),
+        env.water_density * volume * column([p.added_mass for p in model.points]),
         -env.gravity * mass,
-        env.gravity * displaced,
-        0.5 * env.water_density * np.array([p.drag_area for p in model.points], dtype=float),
+        env.gravity * env.water_density * volume,
+        0.5 * env.water_density * column([p.drag_area for p in model.points]),
         np.maximum((0.75 * volume / np.pi) ** (1.0 / 3.0), 1e-3),
-        np.array([p.external_force for p in model.points], dtype=float).reshape(-1, 3),
+        force,
     )

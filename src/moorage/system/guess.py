@@ -20,7 +20,7 @@ def place_guess(model: Model, system: System, state: State, length, weight) -> N
     """
     rows = system.lines.node_ptr
     now = np.zeros((1, 9))
-    for k in range(len(model.points)):
+    for k in range(len(system.points.mass)):
         sample_track(system.tracks, k, np.zeros(1), now[:, 0:3], now[:, 3:6], now[:, 6:9])
         state.position[rows[-1] + k] = now[0, :3]
     for k in range(len(model.lines)):

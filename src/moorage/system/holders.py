@@ -17,7 +17,7 @@ from moorage.model.motion import rotation_matrices
 class Holders(NamedTuple):
     """Holders of a model: its points in the order of the file, then the rods' ends."""
 
-    index: dict[Attachment, int]
+    number: dict[Attachment, int]
     rest: np.ndarray  # (holders, 3) where they are described, m
     free: np.ndarray  # (holders,) bool
     coupled: np.ndarray  # (holders,) bool: moved by a motion
@@ -31,7 +31,7 @@ def holders_of(model: Model, motion: Motion | None, duration: float | None) -> H
     bodies = motion.resolve_bodies(model) if motion else {}
     points = motion.resolve(model, duration) if motion else {}
     rods = motion.resolve_rods(model) if motion else {}
-    index, rest, free, coupled, moved, directions = {}, [], [], [], {}, {}
+    number, rest, free, coupled, moved, directions = {}, [], [], [], {}, {}
     joints: list[int] = []
 
     def add(position, is_free, is_coupled, track):
@@ -45,30 +45,30 @@ def holders_of(model: Model, motion: Motion | None, duration: float | None) -> H
     for p in model.points:
         position, track = carried(model, p, bodies, points.get(p.id), np.array(p.position))
         on_moved = p.body is not None and _body(model, p.body).kind != "fixed"
-        number = add(position, p.kind == "free" and p.body is None, p.kind == "coupled" or on_moved, track)
-        index[Attachment("point", p.id)] = number
+        at = add(position, p.kind == "free" and p.body is None, p.kind == "coupled" or on_moved, track)
+        number[Attachment("point", p.id)] = at
     for rod in model.rods:
         at_a, direction = rods.get(rod.id, (None, None))
         on_moved = rod.body is not None and _body(model, rod.body).kind != "fixed"
-        is_free, is_coupled = rod.kind == "free" and rod.body is None, rod.kind in ("coupled",) or on_moved
+        is_free, is_coupled = rod.kind == "free" and rod.body is None, rod.kind == "coupled" or on_moved
         a, track_a = carried(model, rod, bodies, at_a, np.array(rod.end_a))
         axis, axis_track = carried_axis(model, rod, bodies, direction)
         first = add(a, is_free, is_coupled, track_a)
-        index[Attachment("rod", rod.id, "A")] = first
+        number[Attachment("rod", rod.id, "A")] = first
         if rod.segments == 0:
-            index[Attachment("rod", rod.id, "B")] = first
+            number[Attachment("rod", rod.id, "B")] = first
             if is_free:
                 joints.append(first)
         else:
             length = float(np.linalg.norm(np.subtract(rod.end_b, rod.end_a)))
             track_b = None if track_a is None else track_a + length * axis_track
-            index[Attachment("rod", rod.id, "B")] = add(a + length * axis, is_free, is_coupled, track_b)
+            number[Attachment("rod", rod.id, "B")] = add(a + length * axis, is_free, is_coupled, track_b)
         if not is_free:
             toward = axis if axis_track is None else axis_track
             directions[Attachment("rod", rod.id, "A")] = -toward
             directions[Attachment("rod", rod.id, "B")] = toward
     return Holders(
-        index,
+        number,
         np.array(rest, dtype=float).reshape(-1, 3),
         np.array(free, dtype=bool),
         np.array(coupled, dtype=bool),

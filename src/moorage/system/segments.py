@@ -1,41 +1,101 @@
-"""Properties of all segments of a model, one row each, and how they are shared between nodes."""
+"""Properties of all segments of a model, one row each, and how they are shared between nodes.
+
+A section, a bend stiffener and buoyancy modules are all just segments with properties.
+"""
 
 from __future__ import annotations
 
 import numpy as np
 
-from moorage.model import Curve, Model
+from moorage.model import BendStiffener, BuoyancyModules, Curve, Line, LineType, Model
 
 _FIELDS = (
-    "length", "diameter", "mass", "weight", "axial_stiffness", "axial_damping", "damping_ratio", "bending_stiffness",
-    "added_normal", "added_axial", "drag_normal", "drag_axial",
-)  # fmt: skip
-_DTYPE = [(name, float) for name in _FIELDS] + [("axial_curve", object), ("damping_curve", object)]
+    "length",  # unstretched, m
+    "diameter",  # outer, of seabed contact and of the water line, m
+    "area",  # displaced volume for each metre, m2
+    "width",  # that faces transverse flow, m
+    "girth",  # wetted circumference over pi, m
+    "mass",  # kg/m
+    "axial_stiffness",  # EA, of a table its first slope, N
+    "axial_damping",  # BA, N s
+    "damping_ratio",  # NaN: BA as given
+    "bending_stiffness",  # EI, of a table its first slope, N m2
+    "added_normal",  # Ca, -
+    "added_axial",  # CaAx, -
+    "drag_normal",  # Cd, -
+    "drag_axial",  # CdAx, -
+)
+_TABLES = ("axial_curve", "damping_curve", "bending_curve")
+_DTYPE = [(name, float) for name in _FIELDS] + [(name, object) for name in _TABLES]
 
 
 def segment_table(model: Model) -> np.ndarray:
-    """Return a structured array (segments,) in the order of the file, in SI units; `weight` is that in water, N/m."""
-    env = model.environment
-    parts = []
-    for line in model.lines:
-        for section in line.sections:
-            kind = model.line_type(section.line_type)
-            part = np.zeros(section.segments, dtype=_DTYPE)
-            EA, BA, EI = kind.axial_stiffness, kind.axial_damping, kind.bending_stiffness
-            volume = np.pi / 4.0 * kind.diameter**2
-            part["length"] = section.length / section.segments
-            part["diameter"] = kind.diameter
-            part["mass"] = kind.mass_per_length
-            part["weight"] = env.gravity * (kind.mass_per_length - env.water_density * volume)
-            part["axial_stiffness"] = initial_slope(EA)
-            part["axial_damping"] = 0.0 if isinstance(BA, Curve) else BA
-            part["damping_ratio"] = np.nan if kind.axial_damping_ratio is None else kind.axial_damping_ratio
-            part["bending_stiffness"] = initial_slope(EI)
-            part["added_normal"], part["added_axial"] = kind.transverse_added_mass, kind.tangential_added_mass
-            part["drag_normal"], part["drag_axial"] = kind.transverse_drag, kind.tangential_drag
-            part["axial_curve"], part["damping_curve"] = EA, BA
-            parts.append(part)
+    """Return a structured array (segments,) in the order of the file, in SI units."""
+    parts = [_line_table(model, line) for line in model.lines]
     return np.concatenate(parts) if parts else np.zeros(0, dtype=_DTYPE)
+
+
+def _line_table(model: Model, line: Line) -> np.ndarray:
+    sections = []
+    for section in line.sections:
+        part = _type_rows(model.line_type(section.line_type), section.segments)
+        part["length"] = section.segment_lengths
+        if section.modules:
+            _add_modules(part, section.modules)
+        sections.append(part)
+    table = np.concatenate(sections)
+    for stiffener in line.stiffeners:
+        _add_stiffener(table if stiffener.end == "A" else table[::-1], stiffener)
+    return table
+
+
+def _type_rows(kind: LineType, count: int) -> np.ndarray:
+    rows = np.zeros(count, dtype=_DTYPE)
+    EA, BA, EI = kind.axial_stiffness, kind.axial_damping, kind.bending_stiffness
+    rows["diameter"] = rows["width"] = rows["girth"] = kind.diameter
+    rows["area"] = np.pi / 4.0 * kind.diameter**2
+    rows["mass"] = kind.mass_per_length
+    rows["axial_stiffness"] = initial_slope(EA)
+    rows["axial_damping"] = 0.0 if isinstance(BA, Curve) else BA
+    rows["damping_ratio"] = np.nan if kind.axial_damping_ratio is None else kind.axial_damping_ratio
+    rows["bending_stiffness"] = initial_slope(EI)
+    rows["added_normal"], rows["added_axial"] = kind.transverse_added_mass, kind.tangential_added_mass
+    rows["drag_normal"], rows["drag_axial"] = kind.transverse_drag, kind.tangential_drag
+    rows["axial_curve"], rows["damping_curve"], rows["bending_curve"] = EA, BA, EI
+    return rows
+
+
+def _add_modules(rows: np.ndarray, modules: BuoyancyModules) -> None:
+    """Smear modules over the segments: mass, net volume and faces, for each metre of line."""
+    d, D, share = rows["diameter"].copy(), modules.diameter, modules.length / modules.pitch
+    rows["mass"] += modules.mass / modules.pitch
+    rows["area"] += np.pi / 4.0 * (D**2 - d**2) * share
+    rows["width"] += (D - d) * share
+    rows["girth"] += (D - d) * share
+    rows["diameter"] = D
+
+
+def _add_stiffener(rows: np.ndarray, stiffener: BendStiffener) -> None:
+    """Add a sleeve to the rows from its root on; a segment at the tip takes the covered fraction."""
+    ends = np.concatenate([[0.0], np.cumsum(rows["length"])])
+    for k in range(len(rows)):
+        start, stop = ends[k], min(ends[k + 1], stiffener.length)
+        if start >= stiffener.length:
+            break
+        covered = (stop - start) / rows["length"][k]
+        middle = 0.5 * (start + stop)
+        d, D = rows["diameter"][k], stiffener.diameter(middle)
+        if stiffener.stiffness is not None:
+            EI = float(np.interp(middle, stiffener.stiffness.x, stiffener.stiffness.y))
+        else:
+            EI = stiffener.youngs_modulus * np.pi / 64.0 * (D**4 - d**4)
+        sleeve = np.pi / 4.0 * (D**2 - d**2)
+        rows["bending_stiffness"][k] += covered * EI
+        rows["mass"][k] += covered * stiffener.density * sleeve
+        rows["area"][k] += covered * sleeve
+        rows["width"][k] += covered * (D - d)
+        rows["girth"][k] += covered * (D - d)
+        rows["diameter"][k] += covered * (D - d)
 
 
 def initial_slope(value) -> float:
@@ -52,17 +112,10 @@ class NodeSum:
         self.last = node_ptr[1:] - 1
         self.after = np.delete(np.arange(node_ptr[-1]), self.last)  # first node of every segment
         self.n = int(node_ptr[-1])
-        self.ends = np.concatenate([node_ptr[:-1], self.last])
 
     def __call__(self, values):
         """Return (nodes,) sums of half of the values (segments,) beside each node."""
         out = np.zeros(self.n)
         out[self.after] += 0.5 * values
         out[self.after + 1] += 0.5 * values
-        return out
-
-    def inner_mean(self, values):
-        """Mean of the two segments that meet at a node, zero at the ends of a line."""
-        out = self(values)
-        out[self.ends] = 0.0
         return out

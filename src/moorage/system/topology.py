@@ -60,9 +60,7 @@ def islands_of(node_ptr, ends, free, bends, joints: Joints):
                 u += 1
     matrix_ptr = np.concatenate([[0], np.cumsum((3 * np.diff(unknown_ptr)) ** 2)]).astype(np.int64)
     lines = Lines(node_ptr, ends, number[ends], inner, bends)
-    islands = Islands(
-        line_ptr, line_order, point_ptr, points, joint_ptr, unknown_ptr, rows_of_unknowns, matrix_ptr
-    )
+    islands = Islands(line_ptr, line_order, point_ptr, points, joint_ptr, unknown_ptr, rows_of_unknowns, matrix_ptr)
     return lines, islands, joints, of_line
 
 

@@ -1,0 +1,114 @@
+"""What makes a line a cable: bending stiffness, and where it passes from one line to another."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Literal
+
+from moorage.errors import Problem
+from moorage.model.components import Attachment, Curve, Line
+from moorage.model.model import Model
+
+
+def bends(model: Model, line: Line, end: Literal["A", "B"]) -> bool:
+    """Return whether the section of a line at an end has bending stiffness (a bend stiffener counts)."""
+    section = line.sections[0 if end == "A" else -1]
+    if any(stiffener.end == end for stiffener in line.stiffeners):
+        return True
+    known = {t.name.lower(): t.bending_stiffness for t in model.line_types}
+    stiffness = known.get(section.line_type.lower(), 0.0)
+    return isinstance(stiffness, Curve) or stiffness > 0.0
+
+
+def ends_at(model: Model, hold: Attachment) -> list[tuple[Line, Literal["A", "B"]]]:
+    """Return the line ends tied to a point, or to one end of a rod."""
+    sides: tuple[tuple[Literal["A", "B"], str], ...] = (("A", "end_a"), ("B", "end_b"))
+    return [(line, end) for line in model.lines for end, name in sides if getattr(line, name) == hold]
+
+
+def stiff_ends(model: Model, rod: int) -> list[tuple[Line, Literal["A", "B"]]]:
+    """Return the line ends with bending stiffness that are tied to a rod."""
+    tied = [*ends_at(model, Attachment("rod", rod, "A")), *ends_at(model, Attachment("rod", rod, "B"))]
+    return [(line, end) for line, end in tied if line.sections and bends(model, line, end)]
+
+
+def joints_are_joints(model: Model) -> Iterator[Problem]:
+    """A free rod of no length joins two cables, one at each of its ends."""
+    for rod in model.rods:
+        if rod.kind != "free" or rod.segments or rod.body is not None:
+            continue
+        stiff = stiff_ends(model, rod.id)
+        sides = [line.end_a.end if end == "A" else line.end_b.end for line, end in stiff]
+        if len(stiff) == 2 and sides[0] == sides[1]:
+            ids = f"{stiff[0][0].id} and {stiff[1][0].id}"
+            message = f"cables {ids} are both tied to end {sides[0]} of rod {rod.id}, so that one would fold back"
+            yield Problem(message, "tie one to end A and the other to end B", rod.source)
+        for line, _ in stiff:
+            held = [e for e in (line.end_a, line.end_b) if e.kind == "rod" and is_joint(model, e.id)]
+            if len(stiff) == 2 and len(held) == 2 and line.segments < 3:
+                message = f"line {line.id} between two joints has {line.segments} segments"
+                yield Problem(message, "give it at least 3", line.source, line.segments)
+
+
+def is_joint(model: Model, rod: int) -> bool:
+    """Return whether a rod is free and has no length."""
+    return any(r.id == rod and r.kind == "free" and not r.segments and r.body is None for r in model.rods)
+
+
+def directions_are_given(model: Model) -> Iterator[Problem]:
+    """A rod of no length that clamps a cable has a direction."""
+    for rod in model.rods:
+        if not rod.segments and not is_joint(model, rod.id) and rod.end_a == rod.end_b:
+            message = f"rod {rod.id} has no length and its ends coincide, so that it has no direction"
+            yield Problem(message, "put end B where the rod should point to, seen from end A", rod.source)
+
+
+def stiffeners_fit(model: Model) -> Iterator[Problem]:
+    """A bend stiffener lies on the section at its end and is not thinner than the line."""
+    diameters = {t.name.lower(): t.diameter for t in model.line_types}
+    for line in model.lines:
+        for stiffener in line.stiffeners:
+            section = line.sections[0 if stiffener.end == "A" else -1]
+            where = stiffener.source or line.source
+            name = f"bend stiffener at end {stiffener.end} of line {line.id}"
+            if stiffener.length <= 0.0:
+                yield Problem(f"length of the {name} must be positive", "correct it", where, stiffener.length)
+            elif stiffener.length > section.length:
+                message = f"{name} is longer than its section of {section.length:g} m"
+                yield Problem(message, "shorten it, or lengthen the section", where, stiffener.length)
+            thinnest = min(stiffener.root_diameter, stiffener.tip_diameter)
+            if thinnest < diameters.get(section.line_type.lower(), 0.0):
+                yield Problem(f"{name} is thinner than the line", "give outer diameters", where, thinnest)
+            if stiffener.stiffness is None and stiffener.youngs_modulus <= 0.0:
+                yield Problem(f"{name} has no stiffness", "give Young's modulus, or EI along it", where)
+
+
+def sections_are_graded_well(model: Model) -> Iterator[Problem]:
+    """Grading is positive, modules surround the line and fit their pitch."""
+    diameters = {t.name.lower(): t.diameter for t in model.line_types}
+    for line in model.lines:
+        for section in line.sections:
+            where = section.source or line.source
+            if section.grading <= 0.0:
+                yield Problem(f"grading of line {line.id} must be positive", "correct it", where, section.grading)
+            modules = section.modules
+            if modules is None:
+                continue
+            name = f"buoyancy modules of line {line.id}"
+            if modules.pitch <= 0.0 or modules.length <= 0.0 or modules.length > modules.pitch:
+                message = f"{name} are {modules.length:g} m long at a pitch of {modules.pitch:g} m"
+                yield Problem(message, "give a pitch of at least the length", modules.source or where)
+            if modules.diameter < diameters.get(section.line_type.lower(), 0.0):
+                yield Problem(f"{name} are thinner than the line", "give the outer diameter", where, modules.diameter)
+
+
+def pinned_junctions(model: Model) -> list[Problem]:
+    """Return the free points where cables with bending stiffness meet but no moment passes; worth a warning."""
+    found = []
+    for point in model.points:
+        tied = [(line, end) for line, end in ends_at(model, Attachment("point", point.id)) if bends(model, line, end)]
+        if point.kind == "free" and len(tied) > 1:
+            ids = ", ".join(str(line.id) for line, _ in tied)
+            message = f"cables {ids} meet at free point {point.id}, which is a pin: no bending moment passes there"
+            found.append(Problem(message, "join them by a free rod of no length", point.source))
+    return found
