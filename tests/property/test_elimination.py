@@ -75,7 +75,7 @@ def shaken(model: Model) -> Built:
     islands = built.system.islands
     for island in range(len(islands.line_ptr) - 1):
         moved = copy_of(built.state)
-        place_at_rest(built.system, moved, island)
+        place_at_rest(built.system, moved, built.work, island)
         for line_ in islands.lines[islands.line_ptr[island] : islands.line_ptr[island + 1]]:
             first, last = built.names.node_ptr[line_], built.names.node_ptr[line_ + 1] - 1
             built.state.position[[first, last]] = moved.position[[first, last]]

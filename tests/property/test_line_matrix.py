@@ -166,8 +166,8 @@ def potential(built: Built, position: np.ndarray) -> float:
         total += sum(tension_energy(system.tension, np.uintp(first - k + j), tuple(e[j])) for j in range(len(e)))
         q = e / np.linalg.norm(e, axis=1)[:, None]
         cosine = np.sum(q[1:] * q[:-1], axis=1)
-        stiffness = system.bending.stiffness[first + 1 : end - 1]
-        total += np.sum(4.0 * stiffness * (1.0 - np.sqrt(0.5 * (1.0 + cosine))))
+        k1, k2 = system.bending.before[first + 1 : end - 1], system.bending.after[first + 1 : end - 1]
+        total += np.sum(k1 + k2 - np.sqrt(k1**2 + k2**2 + 2.0 * k1 * k2 * cosine))
         lift = 0.5 * system.weight.buoyancy[first - k : end - k - 1]
         z = position[first:end, 2]
         total -= system.weight.dry[first:end] @ z + lift @ (z[:-1] + z[1:])
@@ -206,7 +206,7 @@ def test_a_wrong_tangent_is_noticed():
 
 def test_ends_at_rest_copy_their_points():
     built = disorder()
-    place_at_rest(built.system, built.state, 0)
+    place_at_rest(built.system, built.state, built.work, 0)
     n = built.names.node_ptr[-1]
     assert (built.state.position[[0, 8]] == built.state.position[n + 1]).all()
     assert (built.state.position[[7, 15]] == built.system.tracks.rest[[0, 2]]).all()

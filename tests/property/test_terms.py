@@ -14,7 +14,21 @@ from hypothesis import strategies as st
 from moorings import curve
 
 from moorage.layout import Weights
-from moorage.physics.bending import Bending, bending_terms, node_blocks
+from moorage.physics.bending import (
+    EXACT,
+    PAPER,
+    RIGID,
+    Bending,
+    bend,
+    bending_terms,
+    clamp_terms,
+    end_hinge,
+    half_hinge,
+    hinge,
+    hinge_energy,
+    node_blocks,
+    node_hinge,
+)
 from moorage.physics.current import Current, current_at
 from moorage.physics.morison import Morison, drag_terms, hydro_block, inertia_terms, wet_node, wet_part
 from moorage.physics.motion import follow, spline_tracks
@@ -132,41 +146,112 @@ def test_table_is_linear_between_rows_and_goes_on_with_the_slope_of_its_ends(x, 
 
 # --- bending --------------------------------------------------------------------------------------------------------
 
-BEND = Bending(np.array([4e3]))
+HALF = 8e3  # 2 EI / l of a half segment, N m/rad
+MOMENTS = build_tables([curve((0.0, 0.0), (0.3, 2e3), (0.8, 4e3), (3.0, 9e3))])
+BEND = Bending(
+    np.array([HALF, HALF, HALF]), np.array([HALF, 3e3, RIGID]), np.array([-1, -1, 0]), np.zeros((0, 2)),
+    np.zeros((0, 2)), MOMENTS,
+)  # fmt: skip
 
 
-def bend_energy(e1, e2):
-    """The energy (4 EI / l)(1 - cos(a/2)) with a the angle between the segments."""
-    c = np.dot(e1, e2) / np.linalg.norm(e1) / np.linalg.norm(e2)
-    return 4.0 * BEND.stiffness[0] * (1.0 - np.sqrt(0.5 * (1.0 + c)))
+def bend_law(law, c):
+    """-dE/dc and d2E/dc2 of every hinge: interior nodes, unequal halves, the paper's joint, tables, clamps, springs."""
+    if law in ("equal", "unequal", "table"):
+        return node_hinge(BEND, np.uintp(("equal", "unequal", "table").index(law)), c)
+    if law == "joint of the paper":
+        return half_hinge(HALF, 3e3, c)
+    i, rule = {
+        "clamp": (2, EXACT), "clamp of the paper": (2, PAPER), "spring": (1, EXACT), "table at a clamp": (2, EXACT),
+    }[law]  # fmt: skip
+    held = BEND if law == "table at a clamp" else BEND._replace(table=np.array([-1, -1, -1]))
+    return end_hinge(held, np.uintp(i), rule, c)
+
+
+LAWS = ("equal", "unequal", "table", "joint of the paper", "clamp", "clamp of the paper", "spring", "table at a clamp")
+
+
+@pytest.mark.parametrize("law", LAWS)
+def test_second_derivative_of_a_hinge_is_that_of_its_first(law):
+    """Central differences of -dE/dc over turns of up to 2 rad (1 rad at a clamp), off the corners of the table."""
+    for angle in np.linspace(0.06, 1.0 if "clamp" in law else 2.0, 23):
+        c, h = np.cos(angle), 1e-6
+        U = bend_law(law, c)[1]
+        difference = -(bend_law(law, c + h)[0] - bend_law(law, c - h)[0]) / (2.0 * h)
+        assert pytest.approx(difference, rel=1e-5, abs=1e-4 * HALF) == U
+
+
+def test_hinge_of_equal_halves_has_the_moment_of_the_papers_curvature():
+    """M = EI kappa with kappa = (2 / l) sin(a / 2) (equation 7), and at a clamp kappa = (4 / l) sin(a / 2) (10)."""
+    for angle in (0.1, 0.5, 1.0, 2.0):
+        c, s = np.cos(angle), np.sin(angle)
+        assert bend_law("equal", c)[0] * s == pytest.approx(HALF * np.sin(angle / 2.0), rel=1e-12)
+        assert bend_law("clamp of the paper", c)[0] * s == pytest.approx(2.0 * HALF * np.sin(angle / 2.0), rel=1e-12)
+        assert bend_law("clamp", c)[0] * s == pytest.approx(HALF * s, rel=1e-12)
+        joint = half_hinge(HALF, HALF, c)[0] / hinge(HALF, HALF, c)[0]
+        assert joint == pytest.approx(1.0 / np.cos(angle / 4.0), rel=1e-12)
+
+
+def test_hinge_is_the_least_energy_over_the_direction_between_its_halves():
+    k1, k2, angle = 8e3, 3e3, 1.3
+    between = np.linspace(0.0, angle, 200001)
+    least = np.min(k1 * (1.0 - np.cos(between)) + k2 * (1.0 - np.cos(angle - between)))
+    assert hinge_energy(k1, k2, np.cos(angle)) == pytest.approx(least, rel=1e-9)
+
+
+def terms(law, e1, e2):
+    bent = bend(e1, e2)
+    return bending_terms(bent, *bend_law(law, bent[4]), 1.0)
 
 
 @FEW
-@given(VECTORS, VECTORS)
-def test_bending_is_gradient_and_hessian_of_its_energy(e1, bend):
-    e2 = tuple(np.array(e1) * 1.3 + 0.5 * np.array(bend))
+@given(VECTORS, VECTORS, st.sampled_from(("equal", "unequal", "joint of the paper")))
+def test_bending_is_gradient_and_hessian_of_its_energy(e1, turn, law):
+    e2 = tuple(np.array(e1) * 1.3 + 0.5 * np.array(turn))
     if np.dot(e1, e2) < -0.9 * np.linalg.norm(e1) * np.linalg.norm(e2):
         return  # folded back: the energy has a corner there
-    i = np.uintp(0)
-    d1, d2, H11, H22, H12 = bending_terms(BEND, i, e1, e2, 1.0)
-    scale = 4e3 / min(np.linalg.norm(e1), np.linalg.norm(e2)) ** 2
-    agree(d1, derivative(lambda *x: [bend_energy(x, e2)], e1)[0], 1e-6, scale)
-    agree(d2, derivative(lambda *x: [bend_energy(e1, x)], e2)[0], 1e-6, scale)
-    agree(full(H11), derivative(lambda *x: bending_terms(BEND, i, x, e2, 1.0)[0], e1), 1e-6, scale)
-    agree(full(H22), derivative(lambda *x: bending_terms(BEND, i, e1, x, 1.0)[1], e2), 1e-6, scale)
-    agree(np.reshape(H12, (3, 3)), derivative(lambda *x: bending_terms(BEND, i, e1, x, 1.0)[0], e2), 1e-6, scale)
+
+    def energy(x, y):
+        c = np.dot(x, y) / np.linalg.norm(x) / np.linalg.norm(y)
+        if law == "joint of the paper":
+            return 4.0 * hinge_energy(HALF, 3e3, np.sqrt(0.5 * (1.0 + c)))
+        return hinge_energy(HALF, HALF if law == "equal" else 3e3, c)
+
+    d1, d2, H11, H22, H12 = terms(law, e1, e2)
+    scale = HALF / min(np.linalg.norm(e1), np.linalg.norm(e2)) ** 2
+    agree(d1, derivative(lambda *x: [energy(x, e2)], e1)[0], 1e-6, scale)
+    agree(d2, derivative(lambda *x: [energy(e1, x)], e2)[0], 1e-6, scale)
+    agree(full(H11), derivative(lambda *x: terms(law, x, e2)[0], e1), 1e-6, scale)
+    agree(full(H22), derivative(lambda *x: terms(law, e1, x)[1], e2), 1e-6, scale)
+    agree(np.reshape(H12, (3, 3)), derivative(lambda *x: terms(law, e1, x)[0], e2), 1e-6, scale)
+
+
+@FEW
+@given(VECTORS)
+def test_clamp_block_is_the_derivative_of_its_gradient(e):
+    d = (0.8, 0.6, 0.0)
+
+    def terms_at(*e):
+        u = 1.0 / np.linalg.norm(e)
+        q = tuple(u * np.array(e))
+        c = float(np.dot(q, d))
+        return clamp_terms(*bend_law("spring", c), u, q, d, c, 1.0)
+
+    if np.dot(e, d) < -0.9 * np.linalg.norm(e):
+        return
+    agree(full(terms_at(*e)[1]), derivative(lambda *x: terms_at(*x)[0], e), 1e-6, HALF / np.linalg.norm(e) ** 2)
 
 
 def test_straight_node_does_not_bend_and_a_folded_one_stays_finite():
-    d1, d2, *_ = bending_terms(BEND, np.uintp(0), (1.0, 0.0, 0.0), (2.0, 0.0, 0.0), 1.0)
+    d1, d2, *_ = terms("equal", (1.0, 0.0, 0.0), (2.0, 0.0, 0.0))
     assert np.abs([d1, d2]).max() == 0.0
-    folded = bending_terms(BEND, np.uintp(0), (1.0, 0.0, 0.0), (-1.0, 0.0, 0.0), 1.0)
-    assert all(np.isfinite(part).all() for part in folded)
+    for law in LAWS[:4]:
+        folded = terms(law, (1.0, 0.0, 0.0), (-1.0, 0.0, 0.0))
+        assert all(np.isfinite(part).all() for part in folded)
 
 
 def test_bending_blocks_of_the_nodes_add_up_to_zero():
     """A translation of all three nodes costs nothing: every row of the blocks sums to zero."""
-    _, _, H11, H22, H12 = bending_terms(BEND, np.uintp(0), (1.0, 0.2, -0.1), (0.9, -0.3, 0.4), 1.0)
+    _, _, H11, H22, H12 = terms("unequal", (1.0, 0.2, -0.1), (0.9, -0.3, 0.4))
     middle, before, after, H21 = node_blocks(H11, H22, H12)
     A, B, C = full(H11), full(middle), full(H22)
     P, Q, R = (np.reshape(m, (3, 3)) for m in (before, after, H21))

@@ -17,7 +17,9 @@ from moorage.io.yaml_nodes import NodeReader, Values
 from moorage.model import (
     Attachment,
     Bathymetry,
+    BendStiffener,
     Body,
+    BuoyancyModules,
     Control,
     Current,
     Curve,
@@ -102,9 +104,15 @@ def _point(values: Values) -> Point:
 
 
 def _line(values: Values, ids: dict[str, int], found: Findings) -> Line:
-    sections = tuple(Section(**section) for section in values["sections"])
+    sections = tuple(_section(section) for section in values["sections"])
+    stiffeners = tuple(BendStiffener(**stiffener) for stiffener in values.get("stiffeners", ()))
     ends = {end: _end(values[end], ids, found) for end in ("end_a", "end_b")}
-    return Line(**values | ends | {"sections": sections})
+    return Line(**values | ends | {"sections": sections, "stiffeners": stiffeners})
+
+
+def _section(values: Values) -> Section:
+    modules = BuoyancyModules(**values["modules"]) if "modules" in values else None
+    return Section(**values | {"modules": modules})
 
 
 def _end(value: tuple[str, Source], ids: dict[str, int], found: Findings) -> Attachment:

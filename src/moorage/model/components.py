@@ -187,8 +187,9 @@ class Line:
     """A line of one or more sections, listed from end A to end B.
 
     `outputs` holds MoorDyn's letters of the LineOutputs column ("" for none), `syrope_tensions` the highest and the
-    present mean tension (N) that a Syrope line starts from. `end_stiffness` is the rotational stiffness (N m/rad) with
-    which rods hold ends A and B of a line with bending stiffness: None clamps, 0 pins.
+    present mean tension (N) that a Syrope line starts from. `end_a_stiffness` and
+    `end_b_stiffness` are the rotational stiffness (N m/rad) with which a rod holds an end of a line with bending
+    stiffness: None clamps, 0 pins.
     """
 
     id: int
@@ -199,7 +200,8 @@ class Line:
     outputs: str = ""
     syrope_tensions: tuple[float, float] | None = None
     stiffeners: tuple[BendStiffener, ...] = ()
-    end_stiffness: tuple[float | None, float | None] = (None, None)
+    end_a_stiffness: float | None = None
+    end_b_stiffness: float | None = None
     source: Source | None = field(default=None, compare=False, repr=False)
 
     @property

@@ -7,9 +7,9 @@ Two half segments of stiffness k1 and k2 (N m/rad, k = 2 EI / l each) meet at a 
 It is what two springs in series store, at the direction between them that balances both. With equal halves it is
 exactly the moment EI kappa of Hall, Sirnivas & Yu 2020, equation 7: (2 EI / l) sin(a / 2). A clamp is k2 = infinity, a
 pin k2 = 0. Equation 10 of that paper, for an end clamped to a rod, is the same energy of *half* the angle, taken four
-times: E = 4 K (1 - cos(a / 2)), kappa = (4 / l) sin(a / 2); it is 1 / cos(a / 2) stiffer than the law that leaves a cable
-unchanged when a rod of no length is put into it (kappa = (2 / l) sin a). Files of MoorDyn take the paper's rule, native
-ones the exact one.
+times: E = 4 K (1 - cos(a / 2)), kappa = (4 / l) sin(a / 2). It is 1 / cos(a / 2) stiffer than the law that leaves a
+cable unchanged when a rod of no length is put into it, kappa = (2 / l) sin a. Files of MoorDyn take the paper's rule,
+native ones the exact one.
 
 Forces are the gradient of E, so that they add up to zero, and the tangent is its Hessian, so that it is symmetric.
 """

@@ -49,7 +49,7 @@ def build_bending(model: Model, holders: Holders, segments, node_ptr, first_dire
             if holder in holders.joints:
                 meeting.setdefault(holder, []).append((k, end))
                 continue
-            spring = line.end_stiffness[end]
+            spring = line.end_a_stiffness if end == 0 else line.end_b_stiffness
             if spring == 0.0:
                 continue
             rule[k, end] = law

@@ -23,9 +23,24 @@ def flatten(model: Model) -> Flat:
 
     Sections are joined by free points without mass, or by free zero-length rods where a moment has to pass.
     """
-    notes: list[str] = []
+    notes: list[str] = _unsaid(model)
     model = _numbered(model, notes)
     return Flat(_split(model, notes), notes)
+
+
+def _unsaid(model: Model) -> list[str]:
+    """Return what a line of MoorDyn cannot have."""
+    notes = []
+    for line in model.lines:
+        if line.stiffeners:
+            notes.append(f"line {line.id}: bend stiffeners are not written; MoorDyn has none")
+        if line.end_a_stiffness is not None or line.end_b_stiffness is not None:
+            notes.append(f"line {line.id}: rotational stiffness of its ends is not written; rods clamp in MoorDyn")
+        if any(section.grading != 1.0 for section in line.sections):
+            notes.append(f"line {line.id}: graded segments are written as equal ones")
+        if any(section.modules for section in line.sections):
+            notes.append(f"line {line.id}: buoyancy modules are not written; give them a line type of their own")
+    return notes
 
 
 def _numbered(model: Model, notes: list[str]) -> Model:
