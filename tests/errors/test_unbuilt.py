@@ -7,10 +7,10 @@ import pytest
 from moorage.errors import Source, UnsupportedError
 from moorage.io import read
 from moorage.model import (
+    Attachment,
     Bathymetry,
     Body,
     Control,
-    Curve,
     ExternalLoad,
     Failure,
     Friction,
@@ -43,18 +43,24 @@ def _around(**changes):
 
 PLACE = ((0.0, 0.0, -1.0), (0.0, 0.0, -2.0))
 CASES = {
-    "rods are": _with(
-        rods=(Rod(id=1, rod_type="r", kind="fixed", end_a=PLACE[0], end_b=PLACE[1], segments=1, source=AT),)
+    "free rods are": _with(
+        rods=(Rod(id=1, rod_type="r", kind="free", end_a=PLACE[0], end_b=PLACE[1], segments=1, source=AT),)
     ),
-    "bodies are": _with(bodies=(Body(id=1, kind="free", position=PLACE[0], source=AT),)),
-    "points on bodies are": lambda m: dataclasses.replace(
-        m, points=(*m.points, Point(id=3, kind="fixed", position=PLACE[0], body=1, source=AT))
+    "pinned rods are": _with(
+        rods=(Rod(id=1, rod_type="r", kind="pinned", end_a=PLACE[0], end_b=PLACE[1], segments=1, source=AT),)
     ),
+    "joints of more than two cables are": lambda m: dataclasses.replace(
+        m,
+        line_types=(dataclasses.replace(m.line_types[0], bending_stiffness=1e4),),
+        rods=(Rod(id=1, rod_type="r", kind="free", end_a=PLACE[0], end_b=PLACE[1], segments=0, source=AT),),
+        lines=tuple(
+            dataclasses.replace(m.lines[0], id=k, end_b=Attachment("rod", 1, "A" if k == 1 else "B")) for k in (1, 2, 3)
+        ),
+    ),
+    "free bodies are": _with(bodies=(Body(id=1, kind="free", position=PLACE[0], source=AT),)),
     "attachments to turbines are": lambda m: dataclasses.replace(
         m, points=(*m.points, Point(id=3, kind="coupled", position=PLACE[0], turbine=1, source=AT))
     ),
-    "bending stiffness is": _with_type(bending_stiffness=1e4),
-    "chain: bending stiffness is": _with_type(bending_stiffness=Curve((0.0, 1.0), (0.0, 1.0))),
     "viscoelastic lines are": _with_type(viscoelastic=(1e8,)),
     "the Syrope model is": _with_type(syrope="s.dat", viscoelastic=(1e8, 1.0)),
     "vortex-induced vibration is": _with_type(lift_coefficient=0.8),
@@ -82,4 +88,4 @@ def test_all_are_named_together(deck):
         model = change(model)
     with pytest.raises(UnsupportedError) as caught:
         refuse_unbuilt(model)
-    assert len(caught.value.problems) >= len(UNBUILT) - 2  # types and seas replace each other here
+    assert len(caught.value.problems) >= len(UNBUILT) - 3  # types, rods and seas replace each other here

@@ -12,7 +12,7 @@ from moorage.solve.host import HostMarch
 from moorage.solve.march_kernel import march_islands, start_islands
 from moorage.solve.statics import solve
 from moorage.solve.statics_kernel import relax_island
-from moorage.solve.stiffness import condense_lines, line_blocks
+from moorage.solve.stiffness import condense_island, point_stiffness
 from moorage.system.assemble import assemble_line
 from moorage.system.build import Built, build
 
@@ -72,13 +72,13 @@ def test_main_kernels_are_compiled_once():
             solve(built)
         except ConvergenceError:  # a loose point sinks for ever: what counts here is that it was tried
             continue
-        line_blocks(built)
+        point_stiffness(built)
         for settings in ({}, {"time_step": 0.01}, {"method": "rk4", "time_step": 1e-5}):
             run(built, 0.02, dt_out=0.01, dt_nodes=0.02, watch=((0, 1),), **settings)
         host = HostMarch(built)
         host.initialize()
         host.step(0.02, host.position, host.velocity)
-    for kernel in (march_islands, start_islands, relax_island, condense_lines, assemble_line):
+    for kernel in (march_islands, start_islands, relax_island, condense_island, assemble_line):
         assert len(kernel.signatures) == 1, f"{kernel.__name__}: {kernel.signatures}"
 
 

@@ -269,6 +269,8 @@ LEVELS = st.floats(-1.5, 1.5)
 def test_wet_shares_derive_from_a_potential(z0, z1):
     """Their derivatives are those stated; that they are symmetric makes buoyancy the gradient of an energy."""
     radius = 0.3
+    if min(abs(abs(z) - radius) for z in (z0, z1)) < 1e-5:
+        return  # the wet fraction has corners there
     share0, share1, d00, d01, d11 = wet_shares(radius, z0, z1)
     D = derivative(lambda *z: wet_shares(radius, *z)[:2], (z0, z1), 1e-7)
     flat = abs(z1 - z0) < 1e-5  # there the stated derivatives belong to a slightly sloping segment

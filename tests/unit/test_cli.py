@@ -154,12 +154,12 @@ def test_check_says_what_a_file_holds(moorage_, deck):
 
 
 def test_check_names_what_is_not_built(moorage_, deck):
-    stiff = deck(("-0.8       0  ", "-0.8       1e4"), name="stiff.dat")
-    output = moorage_("check", stiff, code=2).output
+    wavy = deck(("0.001    dtM       time step", "0.001    dtM       time step\n3 WaveKin"), name="wavy.dat")
+    output = moorage_("check", wavy, code=2).output
     assert "not simulated yet" in output
-    assert "stiff.dat:6" in output
-    refused = moorage_("run", stiff, "--duration", 1, code=2)
-    assert "stiff.dat:6" in refused.stderr
+    assert "wavy.dat:20" in output
+    refused = moorage_("run", wavy, "--duration", 1, code=2)
+    assert "wavy.dat:20" in refused.stderr
 
 
 def test_info_and_plot_on_a_result(moorage_, result):

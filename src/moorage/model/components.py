@@ -55,6 +55,9 @@ class LineType:
         Cl, dF and cF of the vortex-induced-vibration model, -; zero `lift_coefficient` switches it off.
     minimum_bend_radius : float or None
         Allowed bend radius, m.
+    carries_compression : bool
+        Whether a segment pushes when it is shorter than unstretched; MoorDyn's never does, and without bending
+        stiffness nothing would keep it straight.
     viscoelastic : tuple of float
         Dynamic stiffness of MoorDyn's viscoelastic models, empty for an elastic line: EA_d (N), or EA_d = c + m T_mean
         as (c in N, m).
@@ -80,6 +83,7 @@ class LineType:
     viv_range: float = 0.08
     viv_centre: float = 0.18
     minimum_bend_radius: float | None = None
+    carries_compression: bool = False
     viscoelastic: tuple[float, ...] = ()
     dynamic_damping: float = 0.0
     syrope: str = ""

@@ -124,25 +124,29 @@ def _tracks(motion: Motion | None, holders: Holders, clamps: list[np.ndarray]) -
 def _tension(l, segments) -> Tension:
     curves: list[Curve] = []
 
-    def tables(values, scalars):
-        """Table numbers and linear values: a curve's own slope at zero stands for it where one number is wanted."""
-        numbers = np.full(len(l), -1, dtype=np.int64)
-        for k, value in enumerate(values):
-            if isinstance(value, Curve):
-                if value not in curves:
-                    curves.append(value)
-                numbers[k] = curves.index(value)
-        return numbers, scalars
+    def table_of(value) -> int:
+        if not isinstance(value, Curve):
+            return -1
+        if value not in curves:
+            curves.append(value)
+        return curves.index(value)
 
-    spring_table, stiffness = tables(segments["axial_curve"], segments["axial_stiffness"])
-    damper_table, _ = tables(segments["damping_curve"], None)
-    ratio = segments["damping_ratio"]
+    springs, dampers = ([table_of(value) for value in segments[name]] for name in ("axial_curve", "damping_curve"))
+    stiffness, ratio = segments["axial_stiffness"], segments["damping_ratio"]
     damping = np.where(
         np.isnan(ratio),
         segments["axial_damping"],
         damping_from_ratio(np.nan_to_num(ratio), l, stiffness, segments["mass"]),
     )
-    return Tension(l, stiffness / l, damping / l, np.zeros(len(l)), spring_table, damper_table, build_tables(curves))
+    return Tension(
+        l,
+        stiffness / l,
+        damping / l,
+        np.where(segments["pushes"] > 0.0, -1e300, 0.0),
+        np.array(springs, dtype=np.int64),
+        np.array(dampers, dtype=np.int64),
+        build_tables(curves),
+    )
 
 
 def _points(model: Model, count: int) -> PointLoads:

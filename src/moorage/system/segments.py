@@ -19,6 +19,7 @@ _FIELDS = (
     "axial_stiffness",  # EA, of a table its first slope, N
     "axial_damping",  # BA, N s
     "damping_ratio",  # NaN: BA as given
+    "pushes",  # 1: carries axial compression
     "bending_stiffness",  # EI, of a table its first slope, N m2
     "added_normal",  # Ca, -
     "added_axial",  # CaAx, -
@@ -59,6 +60,7 @@ def _type_rows(kind: LineType, count: int) -> np.ndarray:
     rows["axial_damping"] = 0.0 if isinstance(BA, Curve) else BA
     rows["damping_ratio"] = np.nan if kind.axial_damping_ratio is None else kind.axial_damping_ratio
     rows["bending_stiffness"] = initial_slope(EI)
+    rows["pushes"] = kind.carries_compression
     rows["added_normal"], rows["added_axial"] = kind.transverse_added_mass, kind.tangential_added_mass
     rows["drag_normal"], rows["drag_axial"] = kind.transverse_drag, kind.tangential_drag
     rows["axial_curve"], rows["damping_curve"], rows["bending_curve"] = EA, BA, EI

@@ -30,7 +30,11 @@ def flatten(model: Model) -> Flat:
 
 def _unsaid(model: Model) -> list[str]:
     """Return what a line of MoorDyn cannot have."""
-    notes = []
+    notes = [
+        f"line type {t.name}: carries_compression is not written; MoorDyn's segments go slack"
+        for t in model.line_types
+        if t.carries_compression
+    ]
     for line in model.lines:
         if line.stiffeners:
             notes.append(f"line {line.id}: bend stiffeners are not written; MoorDyn has none")
