@@ -12,7 +12,7 @@ import numpy as np
 import xarray as xr
 
 from moorage._jit import mark_warm
-from moorage.errors import InputError, ModelWarning, Problem, SimulationError
+from moorage.errors import InputError, ModelWarning, Problem, SimulationError, UnsupportedError
 from moorage.model import Attachment, Environment, Line, LineType, Model, Motion, OutputChannel, Point, Section
 from moorage.model.checks import check
 from moorage.model.unbuilt import refuse_unbuilt
@@ -62,7 +62,7 @@ def solve_statics(model: Model) -> xr.Dataset:
     built = build(model)
     equilibrium = solve(built)
     block = March(built, Settings(dt_nodes=1.0, watch=watch_list(model)), 0.0).first()
-    stiffness = platform_stiffness(built, block["point_force"][0][built.coupled])
+    stiffness = platform_stiffness(built, block["holder_force"][0][built.coupled])
     attrs = run_attributes(model, None, {"start": "static"}, VERSION) | {"where": equilibrium.where}
     return static_dataset(
         _layout(model, built, "time"), block, stiffness, equilibrium.residual, equilibrium.iterations, attrs
@@ -205,6 +205,7 @@ class Simulation:
         chosen = {"tolerance": Settings().tolerance if tolerance is None else tolerance, "time_step": time_step}
         _check_settings({**chosen, "method": method}, False, None)
         _accept(model)
+        _only_points_are_coupled(model)
         self.model = model
         built = build(model)
         self.points = built.names.points[built.coupled]
@@ -280,6 +281,19 @@ def _accept(model: Model) -> None:
     if model.unused_options:
         names = ", ".join(option.name for option in model.unused_options)
         warnings.warn(f"{model.file}: options that are not used here: {names}", ModelWarning, stacklevel=3)
+
+
+def _only_points_are_coupled(model: Model) -> None:
+    things = [("body", body) for body in model.bodies if body.kind == "coupled"]
+    things += [("rod", rod) for rod in model.rods if rod.kind == "coupled"]  # type: ignore[misc]
+    problems = [
+        Problem(
+            f"{kind} {thing.id} is coupled: hosts can move points only", "use simulate() with a motion", thing.source
+        )
+        for kind, thing in things
+    ]
+    if problems:
+        raise UnsupportedError(problems)
 
 
 def _check_settings(chosen: dict[str, object], resume: bool, output: object) -> None:

@@ -25,6 +25,13 @@ def rms(values) -> float:
     return float(np.sqrt(np.mean(np.square(values))))
 
 
+def frequency(samples, interval: float) -> float:
+    """Return the frequency (rad/s) of samples of one damped oscillation: y[n+1] - 2 r cos(w dt) y[n] + r^2 y[n-1] = 0."""
+    y = np.asarray(samples)
+    (a, b), *_ = np.linalg.lstsq(np.stack([y[1:-1], y[:-2]], axis=1), y[2:], rcond=None)
+    return float(np.abs(np.angle(np.roots([1.0, -a, -b])[0])) / interval)
+
+
 class Catenary(NamedTuple):
     """An elastic line from a lower to an upper point, solved on its own: nothing of Moorage is used.
 
