@@ -26,9 +26,12 @@ def rms(values) -> float:
 
 
 def frequency(samples, interval: float) -> float:
-    """Return the frequency (rad/s) of samples of one damped oscillation: y[n+1] - 2 r cos(w dt) y[n] + r^2 y[n-1] = 0."""
+    """Return the frequency (rad/s) of one damped oscillation about any mean, from samples y.
+
+    Such samples fulfil y[n+1] = 2 r cos(w dt) y[n] - r^2 y[n-1] + c; least squares give the three coefficients.
+    """
     y = np.asarray(samples)
-    (a, b), *_ = np.linalg.lstsq(np.stack([y[1:-1], y[:-2]], axis=1), y[2:], rcond=None)
+    (a, b, _), *_ = np.linalg.lstsq(np.stack([y[1:-1], y[:-2], np.ones(len(y) - 2)], axis=1), y[2:], rcond=None)
     return float(np.abs(np.angle(np.roots([1.0, -a, -b])[0])) / interval)
 
 
