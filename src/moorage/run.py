@@ -287,9 +287,7 @@ def _only_points_are_coupled(model: Model) -> None:
     things = [("body", body) for body in model.bodies if body.kind == "coupled"]
     things += [("rod", rod) for rod in model.rods if rod.kind == "coupled"]  # type: ignore[misc]
     problems = [
-        Problem(
-            f"{kind} {thing.id} is coupled: hosts can move points only", "use simulate() with a motion", thing.source
-        )
+        Problem(f"{kind} {thing.id} is coupled; hosts move points only", "use simulate() with a motion", thing.source)
         for kind, thing in things
     ]
     if problems:

@@ -174,20 +174,22 @@ def assemble_and_reduce(system, state, before, work, line, c):
     """
     first, last = line_nodes(system.lines, line)
     own, next = work.blocks.own, work.blocks.next
-    force, D, E, carried = walk(system, state, before, line, first, last, begin_walk(first - line), c)
-    put(work.force, first, force)
-    sym_put(own, first, D)
-    mat_put(next, first, sym_to_general(E))
-    f, D, E, carried = walk(system, state, before, line, first + 1, last, carried, c)
-    for i in range(first + 1, last):
-        f1, D1, E1, carried = walk(system, state, before, line, i + 1, last, carried, c)
-        inverse = sym_inverse(D)
-        P = sym_sym(E, inverse)
-        put(work.force, i, sym_times(inverse, f))
-        mat_put(next, i, P)
-        D = sym_sub(D1, mat_sym_sym(P, E))
-        f = sub(f1, mat_times(P, f))
-        E = E1
+    carried = begin_walk(first - line)
+    f, D, E = (0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    for i in range(first, last + 1):  # one call of `walk`, because it is inlined and long
+        f1, D1, E1, carried = walk(system, state, before, line, i, last, carried, c)
+        if i > first + 1:
+            inverse = sym_inverse(D)
+            P = sym_sym(E, inverse)
+            put(work.force, i - 1, sym_times(inverse, f))
+            mat_put(next, i - 1, P)
+            D1 = sym_sub(D1, mat_sym_sym(P, E))
+            f1 = sub(f1, mat_times(P, f))
+        elif i == first:
+            put(work.force, first, f1)
+            sym_put(own, first, D1)
+            mat_put(next, first, sym_to_general(E1))
+        f, D, E = f1, D1, E1
     sym_put(own, last, D)
     put(work.force, last, f)
 

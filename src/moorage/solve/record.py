@@ -110,12 +110,10 @@ def sample_island(system, state, t, island, sample):
     for m in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
         line = islands.lines[m]
         first, last = line_nodes(system.lines, line)
-        load, inertia = node_force(system, state, line, first)
-        put_row(sample, line, LOAD_A, load)
-        put_row(sample, line, FORCE_A, add(load, inertia))
-        load, inertia = node_force(system, state, line, last)
-        put_row(sample, line, LOAD_B, load)
-        put_row(sample, line, FORCE_B, add(load, inertia))
+        for end in range(2):
+            load, inertia = node_force(system, state, line, first if end == 0 else last)
+            put_row(sample, line, LOAD_A + 3 * end, load)
+            put_row(sample, line, FORCE_A + 3 * end, add(load, inertia))
         if system.lines.bends[line]:
             for end in range(2):
                 force, moment = end_bending(system, state.position, line, end, t)
