@@ -4,7 +4,7 @@ Verifies: weight, point, tension, morison
 
 Hanging line. A stiff heavy line hangs from a point above the water, its lower part in it: the force at its top is its weight less
 the buoyancy of what is below the surface, wherever nodes happen to be. The wet fraction of a section falls linearly across the surface,
-so that a vertical line whose ends are clear of it has exactly the displaced volume below it: 0.2 N of 40 kN are allowed for
+so that a vertical line whose ends are clear of it has exactly the displaced volume below it: 0.2 N of 25 kN are allowed for
 the imbalance that statics accept and for stretching (1e-7).
 
 Spar. A line of one segment, held at its foot under water, carries a horizontal and a vertical force at its top in the air. With
@@ -51,7 +51,9 @@ AREA = np.pi / 4.0 * 0.3**2
 
 def check_hanging(top: float, segments: int, density: float = DENSITY) -> None:
     rope = kind(diameter=0.3, mass_per_length=150.0, axial_stiffness=1e11)
-    built = statics(single(rope, 30.0, segments, free(1, 0.0, 0.0, top - 30.0), fixed(2, 0.0, 0.0, top)), tolerance=0.1)
+    built = statics(
+        single(rope, 30.0, segments, free(1, 0.0, 0.0, top - 30.0), fixed(2, 0.0, 0.0, top)), tolerance=5e-3
+    )
     expected = GRAVITY * (150.0 * 30.0 - density * AREA * (30.0 - top))
     assert -point_forces(built)[1, 2] == pytest.approx(expected, abs=0.2)
 
