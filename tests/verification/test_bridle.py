@@ -24,7 +24,7 @@ EA, DIAMETER = 1e7, 0.01
 WEIGHTLESS = kind("thread", diameter=DIAMETER, mass_per_length=DENSITY * np.pi / 4.0 * DIAMETER**2, axial_stiffness=EA)
 ANCHORS = np.array([[-40.0, 0.0, -60.0], [30.0, 25.0, -55.0], [20.0, -35.0, -50.0]])
 PLACE, TENSIONS = np.array([2.0, -3.0, -20.0]), np.array([2e4, 3e4, 1.5e4])
-MASS = 1e5
+MASS, AWAY = 1e5, np.array([3.0, 3.0, -2.6])
 
 
 def bridle(segments: int = 4, wrong: float = 1.0):
@@ -34,7 +34,7 @@ def bridle(segments: int = 4, wrong: float = 1.0):
     held = [fixed(k + 1, *a) for k, a in enumerate(ANCHORS)]
     lengths = span / (1.0 + TENSIONS / EA) * [1.0, 1.0, wrong]
     lines = [line(k + 1, k + 1, 9, ("thread", float(length), segments)) for k, length in enumerate(lengths)]
-    away = free(9, *(PLACE + [3.0, 3.0, -2.6]), mass=MASS, volume=MASS / DENSITY, external_force=force)
+    away = free(9, *(PLACE + AWAY), mass=MASS, volume=MASS / DENSITY, external_force=force)
     return statics(mooring(WEIGHTLESS, (*held, away), lines), tolerance=1e-6)
 
 
