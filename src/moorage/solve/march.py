@@ -202,15 +202,19 @@ class March:
         failed = np.flatnonzero(self.clocks.status != OK)
         if len(failed):
             raise self._failure(int(failed[np.argmin(self.clocks.time[failed])]), record)
-        bad = np.argwhere(~np.isfinite(record.lines).all(axis=2))
-        if len(bad):
-            raise self._not_a_number(int(bad[0, 0]), int(bad[0, 1]), record)
+        if not np.isfinite(record.lines).all():
+            row, line, _ = np.argwhere(~np.isfinite(record.lines))[0].tolist()
+            raise self._not_a_number(row, line, record)
 
     def block(self, record: Record, rows: int, node_rows: int) -> Block:
-        """Split the buffers into named arrays of the first `rows` times."""
+        """Split the buffers into named arrays of the first `rows` times; what can be a view is one."""
         c, lines = columns, record.lines[:rows]
-        ends = (c.FORCE_A, c.FORCE_B), (c.LOAD_A, c.LOAD_B)
-        force, load = (np.stack([lines[:, :, a : a + 3], lines[:, :, b : b + 3]], axis=2) for a, b in ends)
+
+        def at_ends(first: int, width: int) -> np.ndarray:
+            """Columns of end A and then of end B, (rows, lines, 2, width)."""
+            return lines[:, :, first : first + 2 * width].reshape(rows, lines.shape[1], 2, width)
+
+        force = at_ends(c.FORCE_A, 3)
         points = record.points[:rows].copy()
         self._fill_prescribed(record.time[:rows], points)
         holder_force, named = self._holder_force(force), len(self.built.names.points)
@@ -218,9 +222,9 @@ class March:
         block = {
             "time": record.time[:rows],
             "end_force": force,
-            "end_load": load,
-            "end_tension": lines[:, :, [c.TENSION_A, c.TENSION_B]],
-            "end_moment": np.stack([lines[:, :, c.MOMENT_A : c.MOMENT_A + 3], lines[:, :, c.MOMENT_B :]], axis=2),
+            "end_load": at_ends(c.LOAD_A, 3),
+            "end_tension": at_ends(c.TENSION_A, 1)[..., 0],
+            "end_moment": at_ends(c.MOMENT_A, 3),
             "lowest_tension": lines[:, :, c.LOWEST],
             "grounded_length": lines[:, :, c.GROUNDED],
             "point_position": points[:, :named, 0:3],
