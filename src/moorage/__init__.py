@@ -31,8 +31,9 @@ if TYPE_CHECKING:
     from moorage.io import convert, read
     from moorage.io.motion import Motion
     from moorage.model import Model
+    from moorage.model.checks import suspicious
     from moorage.model.unbuilt import unbuilt
-    from moorage.results import line, open_result
+    from moorage.results import envelope, line, open_result
     from moorage.run import Simulation, simulate, solve_statics, warmup
 
     __version__: str
@@ -56,12 +57,14 @@ _HOMES = {
     "Motion": "io.motion",  # this module gives Motion its reader
     "Simulation": "run",
     "convert": "io",
+    "envelope": "results",
     "is_cold": "_jit",
     "line": "results",
     "open_result": "results",
     "read": "io",
     "simulate": "run",
     "solve_statics": "run",
+    "suspicious": "model.checks",
     "unbuilt": "model.unbuilt",
     "warmup": "run",
 }
@@ -81,6 +84,7 @@ __all__ = [
     "SimulationError",
     "UnsupportedError",
     "convert",
+    "envelope",
     "io",
     "is_cold",
     "line",
@@ -90,6 +94,7 @@ __all__ = [
     "results",
     "simulate",
     "solve_statics",
+    "suspicious",
     "unbuilt",
     "warmup",
 ]

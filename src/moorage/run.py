@@ -14,13 +14,14 @@ import xarray as xr
 from moorage._jit import mark_warm
 from moorage.errors import InputError, ModelWarning, Problem, SimulationError, UnsupportedError
 from moorage.model import Attachment, Environment, Line, LineType, Model, Motion, OutputChannel, Point, Section
-from moorage.model.checks import check
+from moorage.model.checks import check, suspicious
 from moorage.model.unbuilt import refuse_unbuilt
 from moorage.results import (
     Checkpoint,
     Layout,
     MemoryResult,
     StreamWriter,
+    bending_of,
     fingerprint,
     load_checkpoint,
     make_index,
@@ -29,6 +30,7 @@ from moorage.results import (
     run_attributes,
     save_checkpoint,
     static_dataset,
+    warn_of_tight_bends,
     watch_list,
 )
 from moorage.solve.host import HostMarch
@@ -64,9 +66,11 @@ def solve_statics(model: Model) -> xr.Dataset:
     block = March(built, Settings(dt_nodes=1.0, watch=watch_list(model)), 0.0).first()
     stiffness = platform_stiffness(built, block["holder_force"][0][built.coupled])
     attrs = run_attributes(model, None, {"start": "static"}, VERSION) | {"where": equilibrium.where}
-    return static_dataset(
+    ds = static_dataset(
         _layout(model, built, "time"), block, stiffness, equilibrium.residual, equilibrium.iterations, attrs
     )
+    warn_of_tight_bends(ds)
+    return ds
 
 
 def simulate(
@@ -143,7 +147,7 @@ def simulate(
     settings = _settings(model, chosen)
     rows = _rows(duration, settings)
     built = build(model, motion, duration)
-    layout = _layout(model, built, _node_dimension(settings))
+    layout = _layout(model, built, _node_dimension(settings), motion)
     mark = fingerprint(model, motion, chosen)
     saved = load_checkpoint(Path(output), mark, VERSION) if resume and output else None
     if saved is None:
@@ -168,6 +172,7 @@ def simulate(
             raise
         remove_checkpoint(writer.path)
     mark_warm()
+    warn_of_tight_bends(result)
     return result
 
 
@@ -275,12 +280,14 @@ def warmup() -> float:
 
 
 def _accept(model: Model) -> None:
-    """Refuse a model that is wrong or asks for what is not built, and say once which options mean nothing here."""
+    """Refuse a model that is wrong or asks for what is not built, and warn of what looks like a mistake."""
     check(model)
     refuse_unbuilt(model)
     if model.unused_options:
         names = ", ".join(option.name for option in model.unused_options)
         warnings.warn(f"{model.file}: options that are not used here: {names}", ModelWarning, stacklevel=3)
+    for problem in suspicious(model):
+        warnings.warn(str(problem), ModelWarning, stacklevel=3)
 
 
 def _only_points_are_coupled(model: Model) -> None:
@@ -344,5 +351,7 @@ def _node_dimension(settings: Settings) -> str:
     return "time" if settings.dt_nodes == settings.dt_out else "node_time"
 
 
-def _layout(model: Model, built: Built, node_time: str) -> Layout:
-    return Layout(make_index(model, built.names), plan_outputs(model, built), node_time)
+def _layout(model: Model, built: Built, node_time: str, motion: Motion | None = None) -> Layout:
+    index = make_index(model, built.names)
+    bending = bending_of(model, built, index.allowed_bend_radius)
+    return Layout(index, plan_outputs(model, built, motion), node_time, bending)

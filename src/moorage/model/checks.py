@@ -9,7 +9,13 @@ from math import isfinite
 from typing import Any
 
 from moorage.errors import ModelError, Problem, Source
-from moorage.model.cables import directions_are_given, joints_are_joints, sections_are_graded_well, stiffeners_fit
+from moorage.model.cables import (
+    directions_are_given,
+    joints_are_joints,
+    pinned_junctions,
+    sections_are_graded_well,
+    stiffeners_fit,
+)
 from moorage.model.channels import parse_channel
 from moorage.model.components import Attachment, Curve, Line, LineType
 from moorage.model.model import Model
@@ -28,6 +34,11 @@ def check(model: Model) -> None:
 def problems_of(model: Model) -> list[Problem]:
     """Return everything that is wrong with a model."""
     return [problem for function in CHECKS for problem in function(model)]
+
+
+def suspicious(model: Model) -> list[Problem]:
+    """Return what can be run but is hardly meant."""
+    return pinned_junctions(model)
 
 
 def _named(model: Model) -> Iterator[tuple[str, object, Source | None]]:

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator
 
 from moorage.errors import Problem, UnsupportedError
 from moorage.model.cables import stiff_ends
+from moorage.model.channels import parse_channel
 from moorage.model.model import Model
 
 
@@ -107,6 +108,14 @@ def _external_loads(model: Model) -> Iterator[Problem]:
         yield Problem(f"external load {load.id}: external loads are not simulated yet", "remove it", load.source)
 
 
+def _channels(model: Model) -> Iterator[Problem]:
+    for output in model.outputs:
+        channel = parse_channel(output.name)
+        if channel and channel.object in ("rod", "body") and channel.quantity not in ("PX", "PY", "PZ"):
+            message = f"channel {output.name}: other channels of rods and bodies than positions are not simulated yet"
+            yield Problem(message, "remove it, or ask for PX, PY, PZ", output.source)
+
+
 UNBUILT: tuple[Callable[[Model], Iterator[Problem]], ...] = (
     _moving_rods,
     _moving_bodies,
@@ -121,4 +130,5 @@ UNBUILT: tuple[Callable[[Model], Iterator[Problem]], ...] = (
     _failures,
     _controls,
     _external_loads,
+    _channels,
 )

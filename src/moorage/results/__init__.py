@@ -1,5 +1,9 @@
 """Records of a run as labelled datasets: in memory, streamed to disk, and back."""
 
+from moorage.results.bend_check import TightBend, tight_bends, warn_of_tight_bends
+from moorage.results.bending import bending_of
+from moorage.results.cable_report import CableReport, cable_reports
+from moorage.results.cables import Cable, cables
 from moorage.results.channels import plan_outputs, watch_list
 from moorage.results.checkpoint import (
     Checkpoint,
@@ -10,6 +14,7 @@ from moorage.results.checkpoint import (
 )
 from moorage.results.columns import Layout
 from moorage.results.dataset import join_columns, line, static_dataset, to_dataset
+from moorage.results.envelope import envelope
 from moorage.results.index import Index, make_index
 from moorage.results.memory import MemoryResult
 from moorage.results.provenance import fingerprint, run_attributes
@@ -18,6 +23,8 @@ from moorage.results.statistics import LineSummary, Summary, line_summaries, sta
 from moorage.results.writer import StreamWriter
 
 __all__ = [
+    "Cable",
+    "CableReport",
     "Checkpoint",
     "Index",
     "Layout",
@@ -25,7 +32,12 @@ __all__ = [
     "MemoryResult",
     "StreamWriter",
     "Summary",
+    "TightBend",
+    "bending_of",
+    "cable_reports",
+    "cables",
     "checkpoint_path",
+    "envelope",
     "fingerprint",
     "join_columns",
     "line",
@@ -39,6 +51,8 @@ __all__ = [
     "save_checkpoint",
     "static_dataset",
     "static_report",
+    "tight_bends",
     "to_dataset",
+    "warn_of_tight_bends",
     "watch_list",
 ]

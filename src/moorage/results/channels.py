@@ -17,8 +17,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from moorage.layout import Weights
-from moorage.model import Model
+from moorage.model import Model, Motion
 from moorage.model.channels import Channel, parse_channel
+from moorage.physics.motion import no_tracks, sample_track, spline_tracks
 from moorage.physics.point import sample_loads
 from moorage.solve.march import Block
 from moorage.system.build import Built
@@ -54,10 +55,10 @@ def watch_list(model: Model) -> tuple[tuple[int, int], ...]:
     return tuple(dict.fromkeys(pairs))
 
 
-def plan_outputs(model: Model, built: Built) -> tuple[Output, ...]:
+def plan_outputs(model: Model, built: Built, motion: Motion | None = None) -> tuple[Output, ...]:
     """Return the channels of a checked model, each once."""
     watched = {pair: k for k, pair in enumerate(watch_list(model))}
-    return tuple(_output(name, channel, model, built, watched) for name, channel in _channels(model))
+    return tuple(_output(name, channel, model, built, watched, motion) for name, channel in _channels(model))
 
 
 def _channels(model: Model) -> list[tuple[str, Channel]]:
@@ -82,9 +83,20 @@ def _is_watched(model: Model, channel: Channel) -> bool:
     return channel.object == "line" and _end(model, channel) is None
 
 
-def _output(name: str, channel: Channel, model: Model, built: Built, watched: dict[tuple[int, int], int]) -> Output:
+def _output(
+    name: str,
+    channel: Channel,
+    model: Model,
+    built: Built,
+    watched: dict[tuple[int, int], int],
+    motion: Motion | None,
+) -> Output:
     if channel.object == "point":
         unit, words, evaluate = _of_point(channel, model, built)
+    elif channel.object == "rod":
+        unit, words, evaluate = _of_rod(channel, model)
+    elif channel.object == "body":
+        unit, words, evaluate = _of_body(channel, model, motion)
     elif _end(model, channel) is not None:
         unit, words, evaluate = _of_end(channel, model)
     else:
@@ -100,6 +112,41 @@ def _of_point(channel: Channel, model: Model, built: Built) -> tuple[str, str, E
         return "N", words, _point_force(built, k, quantity)
     field, unit = _KINDS[quantity[0]]
     return unit, f"{field} of point {channel.id}", _vector(f"point_{field}", k, quantity)
+
+
+def _of_rod(channel: Channel, model: Model) -> tuple[str, str, Evaluate]:
+    """Return the position of a node of a rod; its ends stand behind the points, one row where they are one."""
+    k = next(k for k, rod in enumerate(model.rods) if rod.id == channel.id)
+    first = len(model.points) + sum(2 if rod.segments else 1 for rod in model.rods[:k])
+    segments, axis = model.rods[k].segments, "XYZ".index(channel.quantity[-1])
+    node = segments if channel.node == -1 else channel.node or 0
+    share = node / segments if segments else 0.0
+    last = first + 1 if segments else first
+
+    def place(block: Block) -> np.ndarray:
+        return (1.0 - share) * block["holder_position"][:, first, axis] + share * block["holder_position"][
+            :, last, axis
+        ]
+
+    return "m", f"position of node {node} of rod {channel.id}", place
+
+
+def _of_body(channel: Channel, model: Model, motion: Motion | None) -> tuple[str, str, Evaluate]:
+    """Return the imposed position of a body's reference point."""
+    body = next(body for body in model.bodies if body.id == channel.id)
+    axis, rest = "XYZ".index(channel.quantity[-1]), np.array([body.position])
+    moved = motion.resolve_bodies(model) if motion else {}
+    tracks = no_tracks(rest)
+    if motion and body.id in moved:
+        tracks = spline_tracks(rest, motion.time, {0: moved[body.id][0]})
+
+    def place(block: Block) -> np.ndarray:
+        times = block["time"]
+        position, velocity, acceleration = (np.empty((len(times), 3)) for _ in range(3))
+        sample_track(tracks, 0, times, position, velocity, acceleration)
+        return position[:, axis]
+
+    return "m", f"position of body {channel.id}", place
 
 
 def _of_end(channel: Channel, model: Model) -> tuple[str, str, Evaluate]:

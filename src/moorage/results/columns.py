@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from moorage.results.bending import COORDINATES, MOMENTS, Bending
 from moorage.results.channels import Output
 from moorage.results.index import Index
 from moorage.solve.march import Block
@@ -39,30 +40,42 @@ class Layout:
         MoorDyn's channels.
     node_time : str
         The time dimension of node histories: "time", "node_time" when they have an interval of their own, "" for none.
+    bending : Bending or None
+        For models with cables: what their columns need.
     """
 
     index: Index
     outputs: tuple[Output, ...] = ()
     node_time: str = "time"
+    bending: Bending | None = None
 
     @property
     def names(self) -> tuple[str, ...]:
         """Names of the variables over time, coordinates of time first."""
         times = ("time", "node_time") if self.node_time == "node_time" else ("time",)
-        nodes = NODE_VARIABLES if self.node_time else ()
-        return times + LINE_VARIABLES + nodes + tuple(output.name for output in self.outputs)
+        moments = MOMENTS if self.bending else ()
+        return times + LINE_VARIABLES + moments + self.histories + tuple(output.name for output in self.outputs)
+
+    @property
+    def histories(self) -> tuple[str, ...]:
+        """Names of the variables that are kept when histories of nodes are."""
+        if not self.node_time:
+            return ()
+        return NODE_VARIABLES + (self.bending.histories if self.bending else ())
 
     def coordinates(self) -> dict[str, np.ndarray]:
         """Return the coordinates of the rows; those of nodes and segments only where there are histories of them."""
         left_out = () if self.node_time else (("node",), ("segment",))
-        return {n: values for n, values in self.index.coordinates().items() if VARIABLES[n].dims not in left_out}
+        unused = set(COORDINATES) - set(self.bending.coordinates if self.bending else ())
+        known = self.index.coordinates().items()
+        return {n: values for n, values in known if VARIABLES[n].dims not in left_out and n not in unused}
 
     def dims(self, name: str) -> tuple[str, ...]:
         """Return the dimensions of a variable over time."""
         if name not in VARIABLES:
             return ("time",)
         dims = VARIABLES[name].dims
-        return (self.node_time, *dims[1:]) if name in NODE_VARIABLES else dims
+        return (self.node_time, *dims[1:]) if name in self.histories else dims
 
     def attributes(self, name: str) -> dict[str, str]:
         """Return the CF attributes of a variable over time."""
@@ -81,6 +94,7 @@ class Layout:
             "anchor_segment_tension": block["end_tension"][:, :, 0],
             "minimum_tension": block["lowest_tension"],
             "anchor_uplift_angle": uplift_angle(anchor, block["grounded_length"]),
+            **(self.bending.columns(block) if self.bending else {}),
             **{output.name: output.evaluate(block) for output in self.outputs},
         }
         return {name: values[name] for name in self.names}

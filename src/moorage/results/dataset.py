@@ -8,6 +8,7 @@ import numpy as np
 import xarray as xr
 
 from moorage.errors import Problem, ResultError
+from moorage.results.bend_check import bend_attributes, has_limits
 from moorage.results.columns import Layout
 from moorage.results.index import DOF
 from moorage.solve.march import Block
@@ -45,6 +46,7 @@ def static_dataset(
         ds.coords[name] = ((name,), np.array(DOF, dtype=object), attributes(name))
     ds["residual"] = ((), residual, attributes("residual"))
     ds["iterations"] = ((), iterations, attributes("iterations"))
+    ds.attrs |= bend_attributes(ds) if has_limits(layout) else {}
     return ds
 
 

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 import numpy as np
 import xarray as xr
 
+from moorage.results.bend_check import bend_attributes, has_limits
 from moorage.results.columns import Layout
 from moorage.results.dataset import join_columns
 
@@ -25,6 +26,8 @@ class MemoryResult:
     def close(self, attrs: Mapping[str, object]) -> None:
         """Add the attributes that are known at the end."""
         self.attrs |= attrs
+        if has_limits(self.layout) and self._parts:
+            self.attrs |= bend_attributes(self.dataset())
 
     def dataset(self) -> xr.Dataset:
         """Return what has been collected."""

@@ -30,6 +30,7 @@ def run_attributes(
         "water_depth": float(model.environment.water_depth),
         "gravity": float(model.environment.gravity),
         "water_density": float(model.environment.water_density),
+        **_readings(model),
     }
 
 
@@ -39,6 +40,21 @@ def fingerprint(model: Model, motion: Motion | None, settings: Mapping[str, obje
     content = dataclasses.replace(model, file="", unused_options=(), outputs=outputs)
     text = f"{content!r}{model.text}{_motion_hash(motion)}{sorted(settings.items())!r}"
     return hashlib.sha256(text.encode()).hexdigest()
+
+
+def _readings(model: Model) -> dict[str, str]:
+    """Return how a model with rods was read and held, where programs and their pages disagree.
+
+    MoorDyn's pages give a rod without length a direction as end B. The sources of both flavours take the difference of
+    the two ends (Body::addRod, Rod_Setup); only for free rods does the one in C take end B for a direction, which has
+    no effect, because the lines turn such a rod.
+    """
+    if not model.rods:
+        return {}
+    clamps = "exact" if model.flavour == "native" else "equation 10 of Hall, Sirnivas and Yu (2020), as in MoorDyn"
+    words = "end B was read as the coordinates of a point: the rod points from end A to it"
+    flat = ", ".join(str(rod.id) for rod in model.rods if not rod.segments)
+    return {"clamp_rule": clamps} | ({"zero_length_rods": f"{flat}: {words}"} if flat else {})
 
 
 def _motion_name(motion: Motion | None) -> str:

@@ -7,6 +7,8 @@ from typing import NamedTuple
 import numpy as np
 import xarray as xr
 
+from moorage.results.cable_report import as_plain, cable_reports
+
 
 class Summary(NamedTuple):
     """A series at its start, and its minimum, mean, maximum and standard deviation."""
@@ -54,11 +56,15 @@ def line_summaries(ds: xr.Dataset) -> list[LineSummary]:
 
 
 def static_report(ds: xr.Dataset) -> dict[str, object]:
-    """Return a static solution as plain lists and numbers, in N, m and rad, for JSON."""
+    """Return a static solution as plain lists and numbers, in N, m and rad, for JSON.
+
+    Every line of a cable has the numbers of the cable.
+    """
+    cable = {id: {"cable": as_plain(report)} for report in cable_reports(ds) for id in report.lines}
     of_line = ("fairlead_tension", "anchor_tension", "minimum_tension", "grounded_length", "anchor_uplift_angle")
     return {
         "lines": [
-            {"id": int(id)} | {name: float(ds[name].values[k]) for name in of_line}
+            {"id": int(id)} | {name: float(ds[name].values[k]) for name in of_line} | cable.get(int(id), {})
             for k, id in enumerate(ds["line"].values)
         ],
         "points": [

@@ -16,6 +16,7 @@ import numpy as np
 import xarray as xr
 
 from moorage.errors import Problem, ResultError
+from moorage.results.bend_check import bend_attributes, has_limits
 from moorage.results.columns import Layout
 from moorage.results.reader import open_result
 from moorage.variables import VARIABLES, attributes
@@ -81,7 +82,7 @@ class StreamWriter:
     def close(self, attrs: Mapping[str, object]) -> None:
         """Add the attributes that are known at the end, and close the file."""
         if self._file.isopen():
-            self._file.setncatts(dict(attrs))
+            self._file.setncatts(dict(attrs) | (bend_attributes(self._file) if has_limits(self.layout) else {}))
             self._file.close()
 
     def dataset(self) -> xr.Dataset:
