@@ -166,14 +166,14 @@ def static(
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON, in N, m and rad.")] = False,
     raise_to_seabed: Raise = False,
 ) -> None:
-    """Solve for static equilibrium; print tensions, forces, and the stiffness of the coupled points as one platform."""
+    """Solve for static equilibrium; print tensions, cables, forces, and the stiffness as one platform feels it."""
     model = moorage.read(file, raise_to_seabed)
     announce_compiling()
     ds = moorage.solve_statics(model)
     if as_json:
         typer.echo(json.dumps(moorage.results.static_report(ds), indent=2))
     else:
-        console.static_tables(ds)
+        console.static_tables(ds, moorage.results.cable_reports(ds))
 
 
 @app.command()
@@ -184,6 +184,11 @@ def check(file: ModelFile, raise_to_seabed: Raise = False) -> None:
     if model.unused_options:
         console.out.print("\noptions that are not used here", style="bold")
         console.fact_table({f"{o.name} {o.value}": o.reason for o in model.unused_options})
+    doubts = moorage.suspicious(model)
+    if doubts:
+        console.out.print("\nhardly meant", style="bold yellow")
+        for problem in doubts:
+            console.out.print(str(problem), markup=False, soft_wrap=True)
     missing = moorage.unbuilt(model)
     if missing:
         console.out.print("\nnot simulated yet", style="bold")

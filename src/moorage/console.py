@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from math import degrees
+from math import degrees, isfinite
 from typing import TYPE_CHECKING, Any
 
 from rich.console import Console
@@ -18,7 +18,7 @@ if TYPE_CHECKING:  # xarray is heavy, and --help must be light
     import xarray as xr
 
     from moorage.model import Model
-    from moorage.results import LineSummary
+    from moorage.results import CableReport, LineSummary
 
 out, err = Console(highlight=False), Console(stderr=True, highlight=False)
 
@@ -91,8 +91,43 @@ def line_table(rows: Iterable[LineSummary], start: str) -> None:
     _print(table)
 
 
-def static_tables(ds: xr.Dataset) -> None:
-    """Print a static solution: lines, held points, stiffness, verdict."""
+def cable_table(reports: Sequence[CableReport]) -> None:
+    """Print the static reports of cables, a column each: there are few cables and many numbers."""
+    unit, scale = tension_unit(max(max(r.hang_off_tension, r.anchor_tension) for r in reports))
+    table = _table(f"\nCables ({unit}, {unit} m, deg, m)", ["", *map(_cable, reports)])
+    rows: dict[str, Callable[[CableReport], str]] = {
+        "hang-off tension": lambda r: _number(r.hang_off_tension / scale, 2),
+        "  angle of the pull from straight down": lambda r: _number(degrees(r.hang_off_angle), 1),
+        "  moment on the clamp": lambda r: _number(r.hang_off_moment / scale, 2),
+        "lowest sag over the seabed": lambda r: _number(r.sag_height, 2),
+        "highest hog over the seabed": lambda r: _number(r.hog_height, 2),
+        "peak curvature (1/m)": lambda r: _number(r.peak_curvature, 4),
+        "  bend radius": lambda r: _number(r.minimum_bend_radius, 2),
+        "  where, from the hang-off": lambda r: _number(r.peak_curvature_distance, 1),
+        "  where, line and node": lambda r: f"{r.peak_curvature_line}, {r.peak_curvature_node}",
+        "allowed bend radius over actual": lambda r: _number(r.bend_utilisation, 2),
+        "touchdown x": lambda r: _number(r.touchdown_position[0], 2),
+        "  y": lambda r: _number(r.touchdown_position[1], 2),
+        "  z": lambda r: _number(r.touchdown_position[2], 2),
+        "  distance from the hang-off": lambda r: _number(r.touchdown_distance, 1),
+        "anchor tension": lambda r: _number(r.anchor_tension / scale, 2),
+    }
+    for name, value in rows.items():
+        table.add_row(name, *map(value, reports))
+    _print(table)
+
+
+def _cable(report: CableReport) -> str:
+    first, last = report.lines[0], report.lines[-1]
+    return f"line {first}" if first == last else f"lines {first} to {last}"
+
+
+def _number(value: float, digits: int) -> str:
+    return f"{value:.{digits}f}" if isfinite(value) else "-"
+
+
+def static_tables(ds: xr.Dataset, cables: Sequence[CableReport] = ()) -> None:
+    """Print a static solution: lines, cables, points, stiffness, verdict."""
     unit, scale = tension_unit(float(ds["fairlead_tension"].max()))
     table = _table(
         f"Static equilibrium ({unit}, deg, m)",
@@ -104,6 +139,8 @@ def static_tables(ds: xr.Dataset) -> None:
         uplift, grounded = degrees(float(ds["anchor_uplift_angle"][k])), float(ds["grounded_length"][k])
         table.add_row(str(id), *tensions, f"{uplift:.1f}", f"{grounded:.1f}")
     _print(table)
+    if cables:
+        cable_table(cables)
     table = _table(f"\nForce of the lines on each point ({unit})", ["point", "kind", "x", "y", "z", "Fx", "Fy", "Fz"])
     for k, id in enumerate(ds["point"].values):
         position = [f"{v:.2f}" for v in ds["point_position"].values[k]]
