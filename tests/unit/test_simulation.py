@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import moorage
+from moorage.model import Attachment, Environment, Line, LineType, Model, Point, Rod, RodType, Section
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "oc4" / "oc4.dat"
 
@@ -67,3 +68,35 @@ def test_what_cannot_be_is_refused(sim):
         sim.step(0.1, sim.position[:2], np.zeros((3, 3)))
     with pytest.raises(moorage.InputError, match="tolerance"):
         moorage.Simulation(sim.model, tolerance=-1.0)
+
+
+def test_a_clamp_beside_coupled_points_stays_where_it_is():
+    cable = LineType(
+        name="cable",
+        diameter=0.2,
+        mass_per_length=60.0,
+        axial_stiffness=1e8,
+        axial_damping_ratio=0.5,
+        bending_stiffness=1e4,
+    )
+    model = Model(
+        environment=Environment(water_depth=100.0),
+        line_types=(cable,),
+        rod_types=(RodType(name="clamp", diameter=0.2, mass_per_length=0.0),),
+        rods=(Rod(id=1, rod_type="clamp", kind="fixed", end_a=(0.0, 0.0, -50.0), end_b=(0.0, 0.0, -49.0), segments=0),),
+        points=(Point(id=1, kind="coupled", position=(30.0, 0.0, -20.0)),),
+        lines=(
+            Line(
+                id=1,
+                sections=(Section(line_type="cable", length=60.0, segments=30),),
+                end_a=Attachment("rod", 1, "A"),
+                end_b=Attachment("point", 1),
+            ),
+        ),
+    )
+    sim = moorage.Simulation(model)
+    still = moorage.solve_statics(model)["point_force"].values
+    np.testing.assert_allclose(sim.initialize(), still, rtol=1e-6)
+    for time in (0.1, 0.2, 0.3):
+        force = sim.step(time, sim.position, np.zeros((1, 3)))
+    np.testing.assert_allclose(force, still, rtol=1e-6)

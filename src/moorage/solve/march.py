@@ -21,6 +21,7 @@ from moorage.system.build import Built
 
 Block = dict[str, np.ndarray]
 
+PROCESSORS = os.cpu_count() or 1
 THREAD_NODES = 5000  # fewer nodes than this are not worth a second thread (docs/developer/measurements.md)
 
 
@@ -192,7 +193,7 @@ class March:
                 until, stop, built.island_of_line, record,
             )  # fmt: skip
 
-        workers = min(os.cpu_count() or 1, islands, int(built.names.node_ptr[-1]) // THREAD_NODES + 1)
+        workers = min(PROCESSORS, islands, int(built.names.node_ptr[-1]) // THREAD_NODES + 1)
         if workers == 1:
             part((0, islands))
         else:
