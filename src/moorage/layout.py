@@ -23,11 +23,12 @@ import numpy as np
 
 from moorage._jit import inlined
 from moorage.physics.bending import Bending
+from moorage.physics.contact import Contact
 from moorage.physics.current import Current
+from moorage.physics.friction import Friction
 from moorage.physics.morison import Morison
 from moorage.physics.motion import Tracks
 from moorage.physics.point import PointLoads
-from moorage.physics.seabed import Seabed
 from moorage.physics.tension import Tension
 from moorage.physics.weight import Weight
 
@@ -75,7 +76,8 @@ class System(NamedTuple):
     bending: Bending
     weight: Weight
     morison: Morison
-    seabed: Seabed
+    contact: Contact
+    friction: Friction
     points: PointLoads
     current: Current
     tracks: Tracks
@@ -88,6 +90,7 @@ class State(NamedTuple):
     velocity: np.ndarray  # (rows, 3) m/s
     acceleration: np.ndarray  # (rows, 3) m/s2, exact at the end of the step
     auxiliary: np.ndarray  # (rows, 3) m/s2, the averaged acceleration of Arnold and Bruls
+    stuck: np.ndarray  # (rows, 3) m, where friction holds a node on the seabed; its position when it is off the bed
 
 
 class Blocks(NamedTuple):

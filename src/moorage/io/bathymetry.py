@@ -27,7 +27,7 @@ def read_bathymetry(path: Path, found: Findings, source: Source) -> Bathymetry |
     if len(found.problems) > before:
         return None
     grid = tuple(tuple(depth[i, j] for j in range(len(axes[1]))) for i in range(len(axes[0])))
-    return Bathymetry(*axes, grid, str(path.name), Source(str(path)))
+    return Bathymetry(*axes, grid, file=str(path.name), source=Source(str(path)))
 
 
 Grid = tuple[tuple[tuple[float, ...], tuple[float, ...]], dict[tuple[int, int], float]]

@@ -4,17 +4,22 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from dataclasses import dataclass, field
+from typing import Literal
 
 from moorage.errors import Source
 
 
 @dataclass(frozen=True)
 class Bathymetry:
-    """A rectangular grid of water depths: x (nx,) m, y (ny,) m, depth (nx, ny) m, positive down."""
+    """A rectangular grid of water depths: x (nx,) m, y (ny,) m, depth (nx, ny) m, positive down.
+
+    Between its points the seabed is bilinear, as in MoorDyn, or with `smooth` bicubic, with a continuous normal.
+    """
 
     x: tuple[float, ...]
     y: tuple[float, ...]
     depth: tuple[tuple[float, ...], ...]
+    smooth: bool = False
     file: str = field(default="", compare=False)
     source: Source | None = field(default=None, compare=False, repr=False)
 
@@ -39,16 +44,35 @@ def _bracket(levels: tuple[float, ...], value: float) -> tuple[int, float]:
 
 @dataclass(frozen=True, kw_only=True)
 class Friction:
-    """Saturated-damping friction of the seabed (Housner et al. 2022, equations 5-13).
+    """Friction of the seabed.
 
-    Kinetic coefficients transverse to and along the line (-), the ratio of static to kinetic (-), and the slope of
-    the ramp, `damping` (MoorDyn's c_v, N s/m for each node and unit of the coefficient).
+    Parameters
+    ----------
+    transverse, axial : float
+        Kinetic coefficients across and along the line, -.
+    static_ratio : float
+        Static over kinetic coefficient, -.
+    model : str
+        "elastic-slip" (sticks; the default of native files), "stick-slip" (with static above kinetic),
+        "saturated-damping" (Housner et al. 2022, equations 5-13; MoorDyn's) or "velocity-dependent" (after Lee et al.
+        2018).
+    damping : float
+        Slope of the ramp of saturated damping (MoorDyn's c_v), N s/m for each node and unit of the coefficient.
+    shear_stiffness : float or None
+        Of the spring that holds a node that sticks, Pa/m on d l; by default that of the seabed's normal stiffness, so
+        that a line slips after mu times the depth to which it sinks in.
+    velocity : float
+        At which stick-slip has lost half of what static friction has above kinetic, or velocity-dependent friction
+        reaches its static coefficient, m/s.
     """
 
     transverse: float = 0.0
     axial: float = 0.0
     static_ratio: float = 1.0
+    model: Literal["elastic-slip", "stick-slip", "saturated-damping", "velocity-dependent"] = "elastic-slip"
     damping: float = 200.0
+    shear_stiffness: float | None = None
+    velocity: float = 0.01
     source: Source | None = field(default=None, compare=False, repr=False)
 
 

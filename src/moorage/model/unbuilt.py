@@ -72,19 +72,6 @@ def _vortex_vibration(model: Model) -> Iterator[Problem]:
             yield Problem(message, "set Cl to 0", t.source, t.lift_coefficient)
 
 
-def _friction(model: Model) -> Iterator[Problem]:
-    friction = model.environment.friction
-    if friction is not None and max(friction.axial, friction.transverse) > 0.0:
-        coefficients = (friction.axial, friction.transverse)
-        yield Problem("seabed friction is not simulated yet", "set it to 0", friction.source, coefficients)
-
-
-def _bathymetry(model: Model) -> Iterator[Problem]:
-    grid = model.environment.bathymetry
-    if grid is not None:
-        yield Problem("uneven seabeds are not simulated yet", "give one water depth", grid.source, grid.file or None)
-
-
 def _waves(model: Model) -> Iterator[Problem]:
     waves = model.environment.waves
     if waves is not None:
@@ -124,8 +111,6 @@ UNBUILT: tuple[Callable[[Model], Iterator[Problem]], ...] = (
     _viscoelastic,
     _syrope,
     _vortex_vibration,
-    _friction,
-    _bathymetry,
     _waves,
     _failures,
     _controls,

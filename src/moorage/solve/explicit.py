@@ -5,7 +5,7 @@ from __future__ import annotations
 from moorage._jit import inlined, kernel
 from moorage._vec3 import accumulate, add, dot, get, put, scale
 from moorage.layout import line_nodes, point_row
-from moorage.solve.implicit import set_accelerations
+from moorage.solve.implicit import set_accelerations, stick_island
 
 ZERO3 = (0.0, 0.0, 0.0)
 FASTEST = 1e5  # m/s; a run that gets there has blown up
@@ -39,6 +39,7 @@ def explicit_step(system, now, trial, work, island, t, h, order):
         for p in range(p0, p1):
             stage_row(now, trial, stage, point_row(lines, islands.points[p]), h * weight, h * ahead)
     set_accelerations(system, trial, work, island, t + h)
+    stick_island(system, now, trial, island)
     fastest, where = 0.0, -1
     for m in range(l0, l1):
         first, last = line_nodes(lines, islands.lines[m])
@@ -70,6 +71,8 @@ def begin_row(now, trial, stage, i):
     put(trial.auxiliary, i, ZERO3)
     put(stage.position, i, get(now.position, i))
     put(stage.velocity, i, get(now.velocity, i))
+    put(stage.stuck, i, get(now.stuck, i))
+    put(trial.stuck, i, get(now.stuck, i))
 
 
 @inlined

@@ -11,10 +11,15 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
+import numpy as np
+
 from moorage._jit import inlined, kernel
 from moorage._vec3 import add, dot, get, put, scale, sub
 from moorage.layout import Weights, line_nodes, point_row
 from moorage.solve.newton import assemble_island, newton_island, shift, solve_island
+from moorage.physics.contact import contact_terms, near_bed
+from moorage.physics.friction import remembers, stuck_after
+from moorage.system.assemble import unit_or_zero
 from moorage.system.attach import attach
 
 
@@ -85,7 +90,7 @@ def implicit_step(system, now, trial, work, island, t, h, control):
     attach(system, trial, work, island, t + h)
     converged, iterations, row = False, 0, -1
     while iterations < control.iterations:
-        newton_island(system, trial, now.position, work, island, c)
+        newton_island(system, trial, now, work, island, c)
         largest, row = shift(system, trial, work, island, c.stiffness, c.damping, 1.0)
         iterations += 1
         if not largest < 1e100:
@@ -104,7 +109,29 @@ def implicit_step(system, now, trial, work, island, t, h, control):
             total += finish_row(now, trial, i, k)
     for p in range(p0, p1):
         total += finish_row(now, trial, point_row(lines, islands.points[p]), k)
+    stick_island(system, now, trial, island)
     return converged, iterations, math.sqrt(total / rows), row
+
+
+@kernel
+def stick_island(system, now, trial, island):
+    """Set where friction holds the nodes of an island after the step from `now` to `trial`."""
+    if not remembers(system.friction):
+        return
+    lines, islands = system.lines, system.islands
+    c = Weights(0.0, 0.0, 0.0)
+    for m in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
+        first, last = line_nodes(lines, islands.lines[m])
+        for i in range(first, last + 1):
+            r, v, before, stuck = get(trial.position, i), get(trial.velocity, i), get(now.position, i), get(now.stuck, i)
+            held = r
+            if near_bed(system.contact, before, r):
+                q = unit_or_zero(
+                    sub(get(trial.position, min(i + 1, last)), get(trial.position, max(i - 1, first)))
+                )
+                N, n, _ = contact_terms(system.contact, np.uintp(i), before, r, v, c)
+                held = stuck_after(system.friction, np.uintp(i), N, n, q, r, v, stuck, c)
+            put(trial.stuck, i, held)
 
 
 @inlined
@@ -129,7 +156,7 @@ def set_accelerations(system, state, work, island, t):
     for p in range(p0, p1):
         put(state.acceleration, point_row(lines, islands.points[p]), (0.0, 0.0, 0.0))
     attach(system, state, work, island, t)
-    assemble_island(system, state, state.position, work, island, c)
+    assemble_island(system, state, state, work, island, c)
     solve_island(system, state, work, island, c)
     shift(system, state, work, island, 0.0, 0.0, 1.0)
 
@@ -143,6 +170,7 @@ def start_island(system, state, work, island, t):
         first, last = line_nodes(lines, islands.lines[m])
         for i in range(first, last + 1):
             put(state.auxiliary, i, get(state.acceleration, i))
+            put(state.stuck, i, get(state.position, i))
     for p in range(islands.point_ptr[island], islands.point_ptr[island + 1]):
         row = point_row(lines, islands.points[p])
         put(state.auxiliary, row, get(state.acceleration, row))

@@ -166,7 +166,7 @@ def back_substitute(lines, work, line, start_is_free):
 
 
 @inlined
-def assemble_and_reduce(system, state, before, work, line, c):
+def assemble_and_reduce(system, state, start, work, line, c):
     """Do the work of `assemble_line` and `eliminate_tridiagonal` in one walk, for a line that does not bend.
 
     Elimination waits for the result of the node before, assembly does not: side by side the processor does both at
@@ -177,7 +177,7 @@ def assemble_and_reduce(system, state, before, work, line, c):
     carried = begin_walk(first - line)
     f, D, E = (0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     for i in range(first, last + 1):  # one call of `walk`, because it is inlined and long
-        f1, D1, E1, carried = walk(system, state, before, line, i, last, carried, c)
+        f1, D1, E1, carried = walk(system, state, start, line, i, last, carried, c)
         if i > first + 1:
             inverse = sym_inverse(D)
             P = sym_sym(E, inverse)

@@ -245,6 +245,9 @@ class March:
                 "node_position": record.node_position[:node_rows],
                 "node_velocity": record.node_velocity[:node_rows],
                 "segment_tension": record.segment_tension[:node_rows],
+                "seabed_gap": record.contact[:node_rows, :, columns.GAP],
+                "seabed_force": record.contact[:node_rows, :, columns.NORMAL],
+                "friction_force": record.contact[:node_rows, :, columns.RUB :],
                 "curvature": record.curvature[:node_rows],
                 "bending_moment": record.moment[:node_rows],
             }

@@ -157,12 +157,14 @@ def swap_island(system, old, now, island):
 
 @inlined
 def swap_row(x, y, i):
-    r, v, a, b = get(x.position, i), get(x.velocity, i), get(x.acceleration, i), get(x.auxiliary, i)
+    r, v, a, b, s = get(x.position, i), get(x.velocity, i), get(x.acceleration, i), get(x.auxiliary, i), get(x.stuck, i)
     put(x.position, i, get(y.position, i))
     put(x.velocity, i, get(y.velocity, i))
     put(x.acceleration, i, get(y.acceleration, i))
     put(x.auxiliary, i, get(y.auxiliary, i))
+    put(x.stuck, i, get(y.stuck, i))
     put(y.position, i, r)
     put(y.velocity, i, v)
     put(y.acceleration, i, a)
     put(y.auxiliary, i, b)
+    put(y.stuck, i, s)

@@ -14,16 +14,16 @@ from moorage.system.assemble import add_joints, assemble_line
 
 
 @kernel
-def assemble_island(system, state, before, work, island, c):
+def assemble_island(system, state, start, work, island, c):
     """Set the out-of-balance force and the blocks of all lines of an island."""
     islands = system.islands
     for k in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
-        assemble_line(system, state, before, work, islands.lines[k], c)
+        assemble_line(system, state, start, work, islands.lines[k], c)
     add_joints(system, state, work, island, c)
 
 
 @inlined
-def newton_island(system, state, before, work, island, c):
+def newton_island(system, state, start, work, island, c):
     """Assemble and solve S x = force for an island in as few walks as its lines allow."""
     lines, islands = system.lines, system.islands
     l0, l1 = islands.line_ptr[island], islands.line_ptr[island + 1]
@@ -33,9 +33,9 @@ def newton_island(system, state, before, work, island, c):
         put(work.increment, first, (0.0, 0.0, 0.0))
         put(work.increment, last, (0.0, 0.0, 0.0))
         if walks_once(lines, line):
-            assemble_and_reduce(system, state, before, work, line, c)
+            assemble_and_reduce(system, state, start, work, line, c)
         else:
-            assemble_line(system, state, before, work, line, c)
+            assemble_line(system, state, start, work, line, c)
     solve_boundary(system, state, work, island, c)
     for k in range(l0, l1):
         line = islands.lines[k]

@@ -13,6 +13,9 @@ import numpy as np
 from moorage._jit import inlined, kernel
 from moorage._vec3 import add, get, put, scale, sub
 from moorage.layout import Weights, line_nodes, point_row
+from moorage.physics.bathymetry import bed_at
+from moorage.physics.contact import contact_terms, near_bed
+from moorage.physics.friction import NONE, friction_terms
 from moorage.physics.morison import inertia_terms, wet_node, wet_part
 from moorage.physics.tension import segment_tension, tension_terms
 from moorage.physics.weight import wet_shares
@@ -22,6 +25,8 @@ from moorage.system.assemble import SURFACE, node_terms, unit_or_zero
 # columns of Record.lines
 FORCE_A, FORCE_B, LOAD_A, LOAD_B, TENSION_A, TENSION_B, LOWEST, GROUNDED = 0, 3, 6, 9, 12, 13, 14, 15
 MOMENT_A, MOMENT_B, COLUMNS = 16, 19, 22
+# columns of Record.contact: gap to the bed, m; normal force, N; friction, N (3)
+GAP, NORMAL, RUB, CONTACT_COLUMNS = 0, 1, 2, 5
 # columns of Record.watch
 POSITION, VELOCITY, FORCE, TENSION, WATCH_COLUMNS = 0, 3, 6, 9, 10
 
@@ -40,6 +45,7 @@ class Record(NamedTuple):
     segment_tension: np.ndarray  # (m, segments)
     curvature: np.ndarray  # (m, nodes) 1/m
     moment: np.ndarray  # (m, nodes) N m
+    contact: np.ndarray  # (m, nodes, CONTACT_COLUMNS)
     samples: np.ndarray  # (2, lines, COLUMNS) scratch: at the ends of a step
 
 
@@ -59,6 +65,7 @@ def new_record(system, time, node_time, watched) -> Record:
         np.zeros((m, nodes - lines)),
         np.zeros((m, nodes)),
         np.zeros((m, nodes)),
+        np.zeros((m, nodes, CONTACT_COLUMNS)),
         np.zeros((2, lines, COLUMNS)),
     )
 
@@ -97,7 +104,7 @@ def node_force(system, state, line, i):
     )
     q = unit_or_zero(add(e0, e1))
     rest = (0.0, 0.0, 0.0)
-    force = add(pull, node_terms(system, n, hydro, q, r, v, rest, r[2], c)[0])
+    force = add(pull, node_terms(system, n, hydro, q, r, v, rest, r, get(state.stuck, i), c)[0])
     mass = system.morison.mass[n]
     inertia = inertia_terms(mass + hydro[0], mass + hydro[1], q, get(state.acceleration, i), c)[0]
     return (force[0], force[1], force[2] + lift), inertia
@@ -151,7 +158,9 @@ def put_row(sample, line, column, u):
 @inlined
 def depth_at(system, state, i):
     """Depth of a node below the bed, m; a node that just touches counts as on it."""
-    return system.seabed.level + 1e-6 - state.position[i, 2]
+    if state.position[i, 2] > system.contact.bed.highest + 1.0:
+        return -1.0
+    return bed_at(system.contact.bed, state.position[i, 0], state.position[i, 1])[0] + 1e-6 - state.position[i, 2]
 
 
 @inlined
@@ -220,6 +229,23 @@ def record_watched(system, old, now, island_of_line, island, h, s, record, row):
 
 
 @inlined
+def record_contact(system, state, first, last, i, share, out):
+    """Add a share of the gap to the bed, the normal force and the friction of a node at one end of a step."""
+    r, v = get(state.position, i), get(state.velocity, i)
+    out[GAP] += share * (r[2] - bed_at(system.contact.bed, r[0], r[1])[0])
+    if not near_bed(system.contact, r, r):
+        return
+    c = Weights(0.0, 0.0, 0.0)
+    N, n, _ = contact_terms(system.contact, np.uintp(i), r, r, v, c)
+    out[NORMAL] += share * N
+    if system.friction.law != NONE and N != 0.0:
+        q = unit_or_zero(sub(get(state.position, min(i + 1, last)), get(state.position, max(i - 1, first))))
+        f = friction_terms(system.friction, np.uintp(i), abs(N), n, q, r, v, get(state.stuck, i), c)[0]
+        for x in range(3):
+            out[RUB + x] += share * f[x]
+
+
+@inlined
 def node_tension(system, state, line, i):
     """Mean tension of the segments at a node, N."""
     first, last = line_nodes(system.lines, line)
@@ -249,6 +275,10 @@ def record_nodes(system, old, now, island, h, s, record, row):
                 t0 = segment_tension(system.tension, j, e, de)
                 e, de = spans(now, i)
                 record.segment_tension[row, i - line] = (1.0 - s) * t0 + s * segment_tension(system.tension, j, e, de)
+        for i in range(first, last + 1):
+            for side in range(2):
+                share = 1.0 - s if side == 0 else s
+                record_contact(system, old if side == 0 else now, first, last, i, share, record.contact[row, i])
         if system.lines.bends[line]:
             position = record.node_position[row]
             for i in range(first, last + 1):

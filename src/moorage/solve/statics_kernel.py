@@ -49,11 +49,11 @@ def relax_island(system, state, work, island, reach, tolerance, iterations):
     force, row = 1e300, -1
     for iteration in range(iterations):
         c = Weights(1.0 / (tau * tau), 0.0, 1.0)
-        assemble_island(system, state, state.position, work, island, c)
+        assemble_island(system, state, state, work, island, c)
         force, row, total = largest_imbalance(system, state, work, island, c)
         if force < tolerance or not force < 1e299:
             return force, row, iteration, damped
-        assemble_island(system, state, state.position, work, island, c)
+        assemble_island(system, state, state, work, island, c)
         solve_island(system, state, work, island, c)
         longest, _ = shift(system, state, work, island, 0.0, 0.0, 0.0)
         if not longest < 1e100:
@@ -66,7 +66,7 @@ def relax_island(system, state, work, island, reach, tolerance, iterations):
             # line search: a Newton increment of full length must make the imbalance fall, or pseudo time takes over
             taken, halvings = step, 0
             while halvings < 4:
-                assemble_island(system, state, state.position, work, island, c)
+                assemble_island(system, state, state, work, island, c)
                 _, _, trial = largest_imbalance(system, state, work, island, c)
                 if trial < total:
                     break

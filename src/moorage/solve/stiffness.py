@@ -29,7 +29,7 @@ def condense_island(system, state, work, island, c, blocks, across):
     not part of the boundary), and across (joints, 9).
     """
     lines, islands = system.lines, system.islands
-    assemble_island(system, state, state.position, work, island, c)
+    assemble_island(system, state, state, work, island, c)
     S = work.blocks
     for m in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
         line = islands.lines[m]

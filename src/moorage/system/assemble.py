@@ -43,9 +43,10 @@ from moorage.physics.bending import (
     node_hinge,
     tabulated,
 )
+from moorage.physics.contact import contact_terms, near_bed
 from moorage.physics.current import current_at
+from moorage.physics.friction import NONE, friction_terms
 from moorage.physics.morison import drag_terms, hydro_block, inertia_terms, wet_node, wet_part
-from moorage.physics.seabed import seabed_terms
 from moorage.physics.tension import tension_terms
 from moorage.physics.weight import wet_shares
 
@@ -56,15 +57,15 @@ SURFACE = 0.0  # z of the still water
 
 
 @kernel
-def assemble_line(system, state, before, work, line, c):
+def assemble_line(system, state, start, work, line, c):
     """Set force and blocks of all nodes of a line; c: the weights of mass, damping and stiffness in the matrix.
 
-    `before` holds the positions at the start of the step, (rows, 3).
+    `start` is the state at the start of the step.
     """
     first, last = line_nodes(system.lines, line)
     carried = begin_walk(first - line)
     for i in range(first, last + 1):
-        force, own, coupling, carried = walk(system, state, before, line, i, last, carried, c)
+        force, own, coupling, carried = walk(system, state, start, line, i, last, carried, c)
         put(work.force, i, force)
         sym_put(work.blocks.own, i, own)
         mat_put(work.blocks.next, i, sym_to_general(coupling))
@@ -79,7 +80,7 @@ def begin_walk(j):
 
 
 @inlined
-def walk(system, state, before, line, i, last, carried, c):
+def walk(system, state, start, line, i, last, carried, c):
     """One step of the walk from end A to end B, at node i, bending left out.
 
     Returns the node's force, its own block, its coupling to the next node (symmetric) and what is carried there: of the
@@ -102,7 +103,8 @@ def walk(system, state, before, line, i, last, carried, c):
     else:
         hydro = wet_part(system.morison, n, j_before, share_before, j, share)
     q = unit_or_zero(add(e_before, e))
-    force, own = node_terms(system, n, hydro, q, r, v, get(state.acceleration, i), before[n, 2], c)
+    a, before, stuck = get(state.acceleration, i), get(start.position, i), get(start.stuck, i)
+    force, own = node_terms(system, n, hydro, q, r, v, a, before, stuck, c)
     force = add(force, sub(pull, pull_before))
     force = force[0], force[1], force[2] + lift_before + share * buoyancy
     sink = c.stiffness * buoyancy
@@ -124,17 +126,32 @@ def add_zz(s, x):
 
 
 @inlined
-def node_terms(system, i, hydro, q, r, v, a, z_before, c):
-    """Force and own block of inertia, drag, seabed and dry weight at a node; q: tangent of the line."""
+def node_terms(system, i, hydro, q, r, v, a, before, stuck, c):
+    """Force and own block of inertia, drag, seabed and dry weight at a node; q: tangent of the line.
+
+    before, stuck: where the node was, and where friction held it, at the start of the step.
+    """
     added_normal, added_axial, drag_normal, drag_axial = hydro
     mass = system.morison.mass[i]
     inertia, inertia_block = inertia_terms(mass + added_normal, mass + added_axial, q, a, c)
     u = sub(v, current_at(system.current, r[2]))
     drag, drag_block = drag_terms(drag_normal, drag_axial, q, u, c)
-    bed, bed_block = seabed_terms(system.seabed, i, z_before, r[2], v[2], c)
-    force = add(inertia, drag)
-    vertical = system.weight.dry[i] + bed
-    return (force[0], force[1], force[2] + vertical), add_zz(hydro_block(inertia_block, drag_block, q), bed_block)
+    force, own = add(inertia, drag), hydro_block(inertia_block, drag_block, q)
+    if near_bed(system.contact, before, r):
+        bed, bed_block = bed_terms(system, i, q, r, v, before, stuck, c)
+        force, own = add(force, bed), sym_add(own, bed_block)
+    return (force[0], force[1], force[2] + system.weight.dry[i]), own
+
+
+@inlined
+def bed_terms(system, i, q, r, v, before, stuck, c):
+    """Contact and friction of the seabed on a node, and their block."""
+    N, n, block = contact_terms(system.contact, i, before, r, v, c)
+    force = scale(N, n)
+    if system.friction.law != NONE and N != 0.0:
+        rub, rub_block = friction_terms(system.friction, i, abs(N), n, q, r, v, stuck, c)
+        force, block = add(force, rub), sym_add(block, rub_block)
+    return force, block
 
 
 @kernel

@@ -26,20 +26,23 @@ def place_guess(model: Model, system: System, state: State, length, weight) -> N
     for k in range(len(model.lines)):
         a, b = (state.position[rows[-1] + end] for end in system.lines.end_point[k])
         part = slice(rows[k] - k, rows[k + 1] - k - 1)
-        state.position[rows[k] : rows[k + 1]] = line_guess(
+        nodes = line_guess(
             a, b, length[part], float(np.mean(system.tension.spring[part] * length[part])),
-            float(np.sum(weight[part] * length[part]) / np.sum(length[part])), system.seabed.level, model.flavour,
+            float(np.sum(weight[part] * length[part]) / np.sum(length[part])), model,
         )  # fmt: skip
+        if model.environment.bathymetry:
+            nodes[1:-1, 2] = np.maximum(nodes[1:-1, 2], [-model.environment.depth_at(x, y) for x, y, _ in nodes[1:-1]])
+        state.position[rows[k] : rows[k + 1]] = nodes
 
 
-def line_guess(a, b, length, stiffness, weight, bed, flavour) -> np.ndarray:
+def line_guess(a, b, length, stiffness, weight, model: Model) -> np.ndarray:
     """Positions (nodes, 3) of a line from a to b (m)."""
     arc = np.concatenate([[0.0], np.cumsum(length)])
     chord = b - a
     span = float(np.hypot(chord[0], chord[1]))
-    lowest = min(a[2], b[2])
+    touches = any(end[2] <= -model.environment.depth_at(end[0], end[1]) * (1.0 - TOUCHES) for end in (a, b))
     # MoorDyn-F lets every line lie on a bed at the level of its lower end, MoorDyn-C only one that touches the bed
-    grounded = flavour == "MoorDyn-F" or lowest <= bed * (1.0 - TOUCHES)
+    grounded = model.flavour == "MoorDyn-F" or touches
     shape = catenary(span, float(chord[2]), float(arc[-1]), stiffness, weight, arc, grounded)
     if shape is None:
         return a + np.outer(arc / arc[-1], chord)

@@ -93,6 +93,7 @@ def _friction(values: Values) -> Friction | None:
         transverse=number(values, "mu_kT", both),
         axial=number(values, "mu_kA", both),
         static_ratio=number(values, "StatDynFricScale", 1.0),
+        model="saturated-damping",
         damping=number(values, "FricDamp", 200.0),
         source=named.source,
     )

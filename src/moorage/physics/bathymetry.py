@@ -1,0 +1,114 @@
+"""Level and slope of the seabed at a place: flat, bilinear on a rectangular grid, or smooth (bicubic) on it.
+
+Bilinear depth is that of Housner et al. 2022, section 2.1: continuous, but its normal jumps from cell to cell. The smooth
+surface passes through the same grid points with slopes from central differences, so that its normal is continuous.
+Outside the grid the nearest edge goes on, level, as in MoorDyn.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from moorage._jit import inlined
+from moorage.physics.table import interval
+
+
+class Bathymetry(NamedTuple):
+    """Parameters of the surface z_b(x, y)."""
+
+    x: np.ndarray  # (nx,) m, increasing; none: a flat bed
+    y: np.ndarray  # (ny,) m
+    level: np.ndarray  # (nx, ny) z of the bed, m
+    slope: np.ndarray  # (nx, ny, 3) z_x, z_y, z_xy at the grid points, for the smooth surface
+    flat: float  # z of a flat bed, m
+    highest: float  # no part of the bed is above this, m
+    smooth: bool
+
+
+def flat_bed(level: float) -> Bathymetry:
+    """Return a level bed at z = level (m)."""
+    return Bathymetry(np.zeros(0), np.zeros(0), np.zeros((0, 0)), np.zeros((0, 0, 3)), float(level), float(level), False)
+
+
+def grid_bed(x, y, depth, smooth: bool = False) -> Bathymetry:
+    """Return a bed through depths (nx, ny), m positive down, at x (nx,) and y (ny,), m."""
+    x, y, level = np.array(x, float), np.array(y, float), -np.array(depth, float)
+    zx = np.gradient(level, x, axis=0) if len(x) > 1 else np.zeros_like(level)
+    zy = np.gradient(level, y, axis=1) if len(y) > 1 else np.zeros_like(level)
+    zxy = np.gradient(zx, y, axis=1) if len(y) > 1 else np.zeros_like(level)
+    slope = np.ascontiguousarray(np.stack([zx, zy, zxy], axis=2))
+    # a bicubic may overshoot its grid points by an eighth of a cell's slopes
+    steps = max(np.diff(x).max(initial=0.0), np.diff(y).max(initial=0.0))
+    rise = 0.25 * steps * float(np.abs(slope[:, :, :2]).max(initial=0.0)) if smooth else 0.0
+    return Bathymetry(x, y, np.ascontiguousarray(level), slope, 0.0, float(level.max()) + rise, smooth)
+
+
+@inlined
+def bed_at(p, x, y):
+    """Level (m), slopes z_x and z_y (-), and z_xx, z_xy, z_yy (1/m) of the bed at a place."""
+    nx, ny = len(p.x), len(p.y)
+    if nx == 0:
+        return p.flat, 0.0, 0.0, 0.0, 0.0, 0.0
+    xc, yc = min(max(x, p.x[0]), p.x[nx - 1]), min(max(y, p.y[0]), p.y[ny - 1])
+    inside_x, inside_y = 1.0 if xc == x else 0.0, 1.0 if yc == y else 0.0
+    i = interval(p.x, 0, nx, xc) if nx > 1 else 0
+    j = interval(p.y, 0, ny, yc) if ny > 1 else 0
+    i1, j1 = min(i + 1, nx - 1), min(j + 1, ny - 1)
+    dx, dy = p.x[i1] - p.x[i] if nx > 1 else 1.0, p.y[j1] - p.y[j] if ny > 1 else 1.0
+    u, v = (xc - p.x[i]) / dx, (yc - p.y[j]) / dy
+    if p.smooth:
+        z, zu, zv, zuu, zuv, zvv = bicubic(p, i, i1, j, j1, dx, dy, u, v)
+    else:
+        a, b, c = p.level[i, j], p.level[i1, j] - p.level[i, j], p.level[i, j1] - p.level[i, j]
+        d = p.level[i1, j1] - p.level[i1, j] - c
+        z, zu, zv, zuu, zuv, zvv = a + b * u + c * v + d * u * v, b + d * v, c + d * u, 0.0, d, 0.0
+    zx, zy = inside_x * zu / dx, inside_y * zv / dy
+    both = inside_x * inside_y
+    return z, zx, zy, inside_x * zuu / (dx * dx), both * zuv / (dx * dy), inside_y * zvv / (dy * dy)
+
+
+@inlined
+def hermite_basis(s):
+    """Basis functions of a cubic by values and slopes at 0 and 1, with first and second derivatives."""
+    return (
+        (1.0 + 2.0 * s) * (1.0 - s) * (1.0 - s), s * (1.0 - s) * (1.0 - s), s * s * (3.0 - 2.0 * s), s * s * (s - 1.0),
+        6.0 * s * (s - 1.0), (1.0 - s) * (1.0 - 3.0 * s), 6.0 * s * (1.0 - s), s * (3.0 * s - 2.0),
+        12.0 * s - 6.0, 6.0 * s - 4.0, 6.0 - 12.0 * s, 6.0 * s - 2.0,
+    )  # fmt: skip
+
+
+@inlined
+def bicubic(p, i, i1, j, j1, dx, dy, u, v):
+    """Value and derivatives to u and v of the smooth surface in a cell."""
+    U, V = hermite_basis(u), hermite_basis(v)
+    out = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    for a in range(2):
+        ii = i if a == 0 else i1
+        f, g = (U[0], U[1] * dx) if a == 0 else (U[2], U[3] * dx)
+        f1, g1 = (U[4], U[5] * dx) if a == 0 else (U[6], U[7] * dx)
+        f2, g2 = (U[8], U[9] * dx) if a == 0 else (U[10], U[11] * dx)
+        for b in range(2):
+            jj = j if b == 0 else j1
+            h, k = (V[0], V[1] * dy) if b == 0 else (V[2], V[3] * dy)
+            h1, k1 = (V[4], V[5] * dy) if b == 0 else (V[6], V[7] * dy)
+            h2, k2 = (V[8], V[9] * dy) if b == 0 else (V[10], V[11] * dy)
+            z, zx, zy, zxy = p.level[ii, jj], p.slope[ii, jj, 0], p.slope[ii, jj, 1], p.slope[ii, jj, 2]
+            out = (
+                out[0] + f * (h * z + k * zy) + g * (h * zx + k * zxy),
+                out[1] + f1 * (h * z + k * zy) + g1 * (h * zx + k * zxy),
+                out[2] + f * (h1 * z + k1 * zy) + g * (h1 * zx + k1 * zxy),
+                out[3] + f2 * (h * z + k * zy) + g2 * (h * zx + k * zxy),
+                out[4] + f1 * (h1 * z + k1 * zy) + g1 * (h1 * zx + k1 * zxy),
+                out[5] + f * (h2 * z + k2 * zy) + g * (h2 * zx + k2 * zxy),
+            )
+    return out
+
+
+@inlined
+def normal_of(zx, zy):
+    """Unit normal of a bed with these slopes, upwards."""
+    nz = 1.0 / math.sqrt(1.0 + zx * zx + zy * zy)
+    return -zx * nz, -zy * nz, nz

@@ -1,0 +1,96 @@
+"""Contact with the seabed along its normal n (Housner et al. 2022, equation 4):
+
+    F_n = [(z_b - z) n_z k_b n - c_b v_n] d l,   v_n = (v . n) n
+
+On a curved bed this force is no energy's gradient. As written the damper switches on with a jump when a node touches the
+bed, and then some implicit steps have no solution at all. Here the damper acts for the fraction of the step that the
+node spends in contact. That is continuous in the unknown position, needs no regularising depth, and tends to the law
+above as the step goes to zero.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from moorage._jit import inlined
+from moorage._vec3 import dot, isotropic_plus, sym_add, sym_outer
+from moorage.physics.bathymetry import Bathymetry, bed_at, normal_of
+
+
+class Contact(NamedTuple):
+    """Parameters of the nodes."""
+
+    spring: np.ndarray  # (nodes,) kb d l, N/m
+    damper: np.ndarray  # (nodes,) cb d l, N s/m
+    bed: Bathymetry
+
+
+@inlined
+def contact_fraction(depth_before, depth):
+    """Fraction of a step spent in contact, from the penetrations at its two ends (m), and its slope (1/m)."""
+    if depth > 0.0:
+        if depth_before >= 0.0:
+            return 1.0, 0.0
+        span = depth - depth_before
+        return depth / span, -depth_before / (span * span)
+    if depth_before <= 0.0:
+        return 0.0, 0.0
+    span = depth_before - depth
+    return depth_before / span, depth_before / (span * span)
+
+
+@inlined
+def near_bed(p, before, r):
+    """Whether a node may touch the bed in a step from `before` to r."""
+    return min(before[2], r[2]) <= p.bed.highest
+
+
+@inlined
+def contact_terms(p, i, before, r, v, c):
+    """Normal force on node i (N, along n), n, and the block; before: its position at the start of the step.
+
+    The block keeps the symmetric part of how n turns on a curved bed.
+    """
+    level, zx, zy, zxx, zxy, zyy = bed_at(p.bed, r[0], r[1])
+    depth = level - r[2]
+    depth_before = bed_at(p.bed, before[0], before[1])[0] - before[2]
+    n = normal_of(zx, zy)
+    if depth <= 0.0 and depth_before <= 0.0:
+        return 0.0, n, (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    fraction, ramp = contact_fraction(depth_before, depth)
+    elastic = p.spring[i] * max(depth, 0.0) * n[2]
+    speed = dot(v, n)
+    damper = fraction * p.damper[i]
+    touching = 1.0 if depth > 0.0 else 0.0
+    # d depth / dr = -n / n_z
+    stiff = c.stiffness * (touching * p.spring[i] - ramp * p.damper[i] * speed / n[2]) + c.damping * damper
+    block = isotropic_plus(0.0, stiff, n)
+    if zxx != 0.0 or zxy != 0.0 or zyy != 0.0:
+        block = sym_add(block, curvature_block(c.stiffness * elastic, n, zxx, zxy, zyy))
+    return elastic - damper * speed, n, block
+
+
+@inlined
+def curvature_block(force, n, zxx, zxy, zyy):
+    """Minus the symmetric part of d(force n)/dr, with the elastic force also growing with n_z.
+
+    n_i = -z_i n_z, so that dn_i = -n_z dz_i + n_i dn_z / n_z and dn_z = n_z^2 (n . dz) for i = x, y.
+    """
+    gx, gy = n[0] * zxx + n[1] * zxy, n[0] * zxy + n[1] * zyy
+    w = n[2] * n[2]
+    dnz = w * gx, w * gy, 0.0  # d n_z / dr
+    turn = force * n[2]
+    across = turn * zxx, turn * zxy, 0.0, turn * zyy, 0.0, 0.0  # from -n_z dz
+    # n dn_z / n_z twice: once in n, once in the depth along n
+    along = sym_outer((-force / n[2] * n[0], -force / n[2] * n[1], -force / n[2] * n[2]), dnz)
+    return sym_add(across, along)
+
+
+@inlined
+def contact_energy(p, i, r):
+    """Elastic energy of a flat or sloping plane bed under node i, J."""
+    level, zx, zy, _, _, _ = bed_at(p.bed, r[0], r[1])
+    depth = max(level - r[2], 0.0) * normal_of(zx, zy)[2]
+    return 0.5 * p.spring[i] * depth * depth

@@ -1,0 +1,159 @@
+"""Friction of the seabed on a node: force along the bed, axial and transverse to the line.
+
+With N the size of the normal force, w the part of the velocity along the bed, split along and across the line:
+
+* saturated damping (Housner et al. 2022, equations 5-13): each part is -slope w while that is below mu_s N, and mu_k N
+  above it. The drop from mu_s to mu_k is spread over a tenth of the velocity at which it comes.
+* velocity-dependent (after Lee et al. 2018): the coefficient rises smoothly to mu_s at the stick velocity, and falls
+  smoothly to mu_k at ten times that.
+* elastic slip (OrcaFlex's kind) and stick-slip (after Choi & Yoo 2012): a node remembers where it stuck; a spring k_s
+  holds it there up to the ellipse (F_a / mu_a N)^2 + (F_t / mu_t N)^2 = 1, where it slips and takes the place along. A
+  step is a return mapping: the spring's trial force is scaled back onto the ellipse, so that in steady sliding friction
+  opposes the velocity with mu = 1 / sqrt(cos^2 / mu_a^2 + sin^2 / mu_t^2). Stick-slip lets the coefficients fall from
+  static to kinetic with the speed, mu = mu_k + (mu_s - mu_k) / (1 + (w / v_s)^2), and damps the spring.
+
+The blocks leave out how friction changes with the normal force.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from moorage._jit import inlined
+from moorage._vec3 import add, dot, isotropic_plus, scale, sub, sym_add, sym_scale
+
+NONE, SATURATED, VELOCITY, ELASTIC, STICK_SLIP = 0, 1, 2, 3, 4
+ZERO3 = (0.0, 0.0, 0.0)
+ZERO6 = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+
+
+class Friction(NamedTuple):
+    """Parameters."""
+
+    law: int
+    axial: float  # kinetic coefficient along the line
+    transverse: float  # and across it
+    ratio: float  # static over kinetic
+    slope_axial: float  # of saturated damping, N s/m a node
+    slope_transverse: float
+    velocity: float  # v_s of the laws that fall with speed, m/s
+    spring: np.ndarray  # (nodes,) k_s, N/m
+    damper: np.ndarray  # (nodes,) of stick-slip, N s/m
+
+
+@inlined
+def remembers(p):
+    """Whether the law needs the place where a node stuck."""
+    return p.law >= ELASTIC
+
+
+@inlined
+def split_directions(q, n):
+    """Unit vector along the line in the plane of the bed; zero where the line stands on the bed."""
+    t = sub(q, scale(dot(q, n), n))
+    size = dot(t, t)
+    return scale(1.0 / math.sqrt(size), t) if size > 1e-6 else ZERO3
+
+
+@inlined
+def friction_terms(p, i, N, n, q, r, v, stuck, c):
+    """Friction on node i with normal force N (N), and its block; stuck: where it stuck before the step, m."""
+    w = sub(v, scale(dot(v, n), n))
+    s = split_directions(q, n)
+    if p.law <= VELOCITY:
+        return sliding(p, N, n, s, w, c)
+    d = sub(r, stuck)
+    d = sub(d, scale(dot(d, n), n))
+    k, damper = p.spring[i], p.damper[i]
+    trial = sub(scale(-k, d), scale(damper, w))
+    over = overload(p, N, s, w, trial)
+    spring = c.stiffness * k + c.damping * damper
+    if over <= 1.0:
+        return trial, plane_block(spring, n)
+    force = scale(1.0 / over, trial)
+    t = scale(1.0 / math.sqrt(dot(force, force) + 1e-300), force)
+    return force, sym_add(plane_block(spring / over, n), isotropic_plus(0.0, -spring / over, t))
+
+
+@inlined
+def stuck_after(p, i, N, n, q, r, v, stuck, c):
+    """Where a node sticks after a step: where it did, or after slipping where its spring gives the friction."""
+    if not N > 0.0:
+        return r
+    force = friction_terms(p, i, N, n, q, r, v, stuck, c)[0]
+    w = sub(v, scale(dot(v, n), n))
+    pull = add(force, scale(p.damper[i], w))
+    return add(r, scale(1.0 / p.spring[i], pull))
+
+
+@inlined
+def overload(p, N, s, w, force):
+    """Size of a force in units of the ellipse of friction; more than one slips."""
+    share = 1.0
+    if p.law == STICK_SLIP:
+        fall = dot(w, w) / (p.velocity * p.velocity)
+        share = 1.0 + (p.ratio - 1.0) / (1.0 + fall)
+    along = dot(force, s)
+    across = max(dot(force, force) - along * along, 0.0)
+    a, b = share * p.axial * N, share * p.transverse * N
+    return math.sqrt(along * along / (a * a + 1e-300) + across / (b * b + 1e-300))
+
+
+@inlined
+def plane_block(stiffness, n):
+    """Stiffness in the plane of the bed."""
+    return isotropic_plus(stiffness, -stiffness, n)
+
+
+@inlined
+def sliding(p, N, n, s, w, c):
+    """Laws of the velocity alone: axial and transverse parts apart."""
+    wa = dot(w, s)
+    wt = sub(w, scale(wa, s))
+    speed = math.sqrt(dot(wt, wt))
+    fa, da = resistance(p, N, p.axial, p.slope_axial, abs(wa))
+    ft, dt = resistance(p, N, p.transverse, p.slope_transverse, speed)
+    over_a, over_t = fa / (abs(wa) + 1e-12), ft / (speed + 1e-12)
+    force = add(scale(-over_a * wa, s), scale(-over_t, wt))
+    across = sub_plane(n, s)
+    block = add_parts(c.damping * max(da, 0.0), s, c.damping * over_t, across)
+    fall = c.damping * (max(dt, 0.0) - over_t) / (speed * speed + 1e-24)
+    return force, sym_add(block, isotropic_plus(0.0, fall, wt))
+
+
+@inlined
+def sub_plane(n, s):
+    """Projector onto the direction across the line in the plane of the bed."""
+    plane = isotropic_plus(1.0, -1.0, n)
+    return sym_add(plane, isotropic_plus(0.0, -1.0, s))
+
+
+@inlined
+def add_parts(a, s, b, across):
+    """a s s^T + b P."""
+    return sym_add(isotropic_plus(0.0, a, s), sym_scale(b, across))
+
+
+@inlined
+def resistance(p, N, mu, slope, speed):
+    """Friction (N) at a speed (m/s) and its derivative."""
+    kinetic, static = mu * N, p.ratio * mu * N
+    if p.law == SATURATED:
+        if slope * speed <= static:
+            return slope * speed, slope
+        edge = static / (slope + 1e-300)
+        part = (speed - edge) / (0.1 * edge + 1e-300)
+        if part < 1.0:
+            return static + part * (kinetic - static), (kinetic - static) / (0.1 * edge + 1e-300)
+        return kinetic, 0.0
+    x = speed / p.velocity
+    if x < 1.0:
+        return static * x * (1.5 - 0.5 * x * x), static / p.velocity * 1.5 * (1.0 - x * x)
+    y = (x - 1.0) / 9.0
+    if y < 1.0:
+        fall = y * y * (3.0 - 2.0 * y)
+        return static + (kinetic - static) * fall, (kinetic - static) * 6.0 * y * (1.0 - y) / (9.0 * p.velocity)
+    return kinetic, 0.0
