@@ -26,12 +26,12 @@ def assembled(built: Built, c: Weights, state: State | None = None, before=None)
     """Return the matrix (3 nodes, 3 nodes) and the force (nodes, 3) of all lines, ends not joined."""
     system, work = built.system, built.work
     state = built.state if state is None else state
-    before = state.position if before is None else before
+    start = state if before is None else state._replace(position=before)
     ptr = built.names.node_ptr
     n = int(ptr[-1])
     S = np.zeros((n, 3, n, 3))
     for k in range(len(ptr) - 1):
-        assemble_line(system, state, before, work, k, c)
+        assemble_line(system, state, start, work, k, c)
         first, last = ptr[k], ptr[k + 1] - 1
         for i in range(first, last + 1):
             S[i, :, i] = full(work.blocks.own[i])

@@ -8,12 +8,10 @@ from moorage.errors import Source, UnsupportedError
 from moorage.io import read
 from moorage.model import (
     Attachment,
-    Bathymetry,
     Body,
     Control,
     ExternalLoad,
     Failure,
-    Friction,
     Point,
     Rod,
     Waves,
@@ -64,8 +62,6 @@ CASES = {
     "viscoelastic lines are": _with_type(viscoelastic=(1e8,)),
     "the Syrope model is": _with_type(syrope="s.dat", viscoelastic=(1e8, 1.0)),
     "vortex-induced vibration is": _with_type(lift_coefficient=0.8),
-    "seabed friction is": _around(friction=Friction(axial=0.5, source=AT)),
-    "uneven seabeds are": _around(bathymetry=Bathymetry((0.0, 1.0), (0.0,), ((1.0,), (1.0,)), source=AT)),
     "waves are": _around(waves=Waves(option="WaveKin", value="3", source=AT)),
     "unsteady currents are": _around(waves=Waves(option="Currents", value="2", source=AT)),
     "failures are": lambda m: dataclasses.replace(

@@ -87,7 +87,7 @@ def shaken(model: Model) -> Built:
 
 def increments(built: Built, c: Weights) -> np.ndarray:
     for island in range(len(built.system.islands.line_ptr) - 1):
-        assemble_island(built.system, built.state, built.state.position, built.work, island, c)
+        assemble_island(built.system, built.state, built.state, built.work, island, c)
         solve_island(built.system, built.state, built.work, island, c)
     return built.work.increment.copy()
 
@@ -114,13 +114,13 @@ def test_newton_in_one_walk_is_newton_step_by_step(name):
     expected = increments(built, STEP)
     other = built._replace(work=new_work(built.system))
     for island in range(len(built.system.islands.line_ptr) - 1):
-        newton(other.system, other.state, other.state.position, other.work, island, STEP)
+        newton(other.system, other.state, other.state, other.work, island, STEP)
     assert np.abs(other.work.increment - expected).max() <= 1e-12 * max(np.abs(expected).max(), 1e-300)
 
 
 @kernel
 def merged(system, state, work, line, c):
-    assemble_and_reduce(system, state, state.position, work, line, c)
+    assemble_and_reduce(system, state, state, work, line, c)
 
 
 @kernel
@@ -141,7 +141,7 @@ def test_merged_walk_is_assembly_then_elimination(segments):
         if one_walk:
             merged(system, built.state, work, 0, STEP)
         else:
-            assemble_line(system, built.state, built.state.position, work, 0, STEP)
+            assemble_line(system, built.state, built.state, work, 0, STEP)
             reduce_line(system.lines, work, 0, False)
         condensed = work.blocks.own[last].copy(), work.force[last].copy()
         work.increment[last] = 0.3, -0.2, 0.1

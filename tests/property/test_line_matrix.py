@@ -14,6 +14,7 @@ from moorings import curve, fixed, free, kind, line, mooring
 
 from moorage.layout import State, Weights, copy_of
 from moorage.model import Current
+from moorage.physics.bathymetry import flat_bed
 from moorage.physics.tension import tension_energy
 from moorage.solve.statics_kernel import place_at_rest
 from moorage.system.build import Built, build
@@ -63,7 +64,7 @@ def only(built: Built, *names: str) -> Built:
     """The system with all terms switched off but the named ones."""
     system = built.system
     off = {}
-    for name in {"tension", "bending", "weight", "morison", "seabed"} - set(names):
+    for name in {"tension", "bending", "weight", "morison"} - set(names):
         term = getattr(system, name)
         off[name] = type(term)(
             *(np.zeros_like(x) if isinstance(x, np.ndarray) and x.dtype == float else x for x in term)
@@ -74,8 +75,10 @@ def only(built: Built, *names: str) -> Built:
         )
     if "weight" not in names:
         off["weight"] = off["weight"]._replace(radius=system.weight.radius)
-    if "seabed" not in names:
-        off["seabed"] = off["seabed"]._replace(level=-1e9)
+    if "contact" not in names:
+        off["contact"] = system.contact._replace(bed=flat_bed(-1e9))
+    else:
+        off["contact"] = system.contact
     return built._replace(system=system._replace(**off))
 
 
@@ -101,7 +104,7 @@ def tangent_error(built: Built, c: Weights, before=None) -> float:
 
 
 @pytest.mark.parametrize(
-    ("term", "surface"), [("tension", False), ("bending", False), ("weight", True), ("seabed", False)]
+    ("term", "surface"), [("tension", False), ("bending", False), ("weight", True), ("contact", False)]
 )
 def test_stiffness_of_each_term(term, surface):
     """Weight has a stiffness only where segments cross the surface."""
@@ -110,7 +113,7 @@ def test_stiffness_of_each_term(term, surface):
     assert tangent_error(built, STIFFNESS) < 1e-7
 
 
-@pytest.mark.parametrize("term", ["tension", "morison", "seabed"])
+@pytest.mark.parametrize("term", ["tension", "morison", "contact"])
 def test_damping_of_each_term(term):
     built = only(disorder(current=Current((-20.0, 0.0), ((0.1, 0.0, 0.0), (0.4, -0.3, 0.1)))), term)
     assert tangent_error(built, DAMPING) < 1e-7
@@ -131,7 +134,7 @@ def test_all_terms_together_at_rest(bends):
 
 def test_seabed_while_nodes_enter_and_leave_it():
     """The start of the step is held: the derivative is that to the position at its end."""
-    built = only(disorder(), "seabed")
+    built = only(disorder(), "contact")
     before = built.state.position + np.random.default_rng(2).normal(0.0, 0.5, built.state.position.shape)
     entering = (before[:, 2] > -20.0) & (built.state.position[:, 2] < -20.0)
     leaving = (before[:, 2] < -20.0) & (built.state.position[:, 2] > -20.0)
@@ -171,7 +174,7 @@ def potential(built: Built, position: np.ndarray) -> float:
         lift = 0.5 * system.weight.buoyancy[first - k : end - k - 1]
         z = position[first:end, 2]
         total -= system.weight.dry[first:end] @ z + lift @ (z[:-1] + z[1:])
-        total += np.sum(0.5 * system.seabed.spring[first:end] * np.maximum(system.seabed.level - z, 0.0) ** 2)
+        total += np.sum(0.5 * system.contact.spring[first:end] * np.maximum(system.contact.bed.flat - z, 0.0) ** 2)
     return float(total)
 
 

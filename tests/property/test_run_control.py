@@ -143,7 +143,7 @@ def is_finite(block) -> bool:
 
 def parameters(built: Built) -> list[tuple[str, str]]:
     """Every array of floats of the system, by term and field."""
-    terms = ("tension", "bending", "weight", "morison", "seabed", "points", "current", "tracks")
+    terms = ("tension", "bending", "weight", "morison", "contact", "points", "current", "tracks")
     return [
         (term, field)
         for term in terms

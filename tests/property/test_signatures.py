@@ -85,5 +85,7 @@ def test_main_kernels_are_compiled_once():
 def test_an_integer_would_be_noticed():
     """The comparison sees a float parameter that became an int."""
     built = build(*models()["one segment"])
-    wrong = built._replace(system=built.system._replace(seabed=built.system.seabed._replace(level=-20)))
+    wrong = built._replace(
+        system=built.system._replace(points=built.system.points._replace(mass=built.system.points.mass.astype(int)))
+    )
     assert shapes(wrong) != shapes(built)

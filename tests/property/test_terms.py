@@ -6,6 +6,8 @@ rounding both stay below 1e-8 of the largest entry; TIGHT allows ten times that.
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 from dense import DAMPING, MASS, STIFFNESS, full
@@ -14,6 +16,8 @@ from hypothesis import strategies as st
 from moorings import curve
 
 from moorage.layout import Weights
+from moorage.physics import friction as law
+from moorage.physics.bathymetry import bed_at, flat_bed, grid_bed
 from moorage.physics.bending import (
     EXACT,
     PAPER,
@@ -29,11 +33,12 @@ from moorage.physics.bending import (
     node_blocks,
     node_hinge,
 )
+from moorage.physics.contact import Contact, contact_energy, contact_fraction, contact_terms
 from moorage.physics.current import Current, current_at
+from moorage.physics.friction import Friction, friction_terms, stuck_after
 from moorage.physics.morison import Morison, drag_terms, hydro_block, inertia_terms, wet_node, wet_part
 from moorage.physics.motion import follow, spline_tracks
 from moorage.physics.point import PointLoads, point_terms, wet_fraction
-from moorage.physics.seabed import Seabed, contact_fraction, seabed_energy, seabed_terms
 from moorage.physics.table import build_tables, interval, look_up
 from moorage.physics.tension import Tension, damping, elastic, segment_tension, tension_energy, tension_terms
 from moorage.physics.weight import wet_shares
@@ -244,8 +249,8 @@ def test_clamp_block_is_the_derivative_of_its_gradient(e):
 def test_straight_node_does_not_bend_and_a_folded_one_stays_finite():
     d1, d2, *_ = terms("equal", (1.0, 0.0, 0.0), (2.0, 0.0, 0.0))
     assert np.abs([d1, d2]).max() == 0.0
-    for law in LAWS[:4]:
-        folded = terms(law, (1.0, 0.0, 0.0), (-1.0, 0.0, 0.0))
+    for name in LAWS[:4]:
+        folded = terms(name, (1.0, 0.0, 0.0), (-1.0, 0.0, 0.0))
         assert all(np.isfinite(part).all() for part in folded)
 
 
@@ -347,28 +352,148 @@ def test_wet_parts_of_a_node_lie_between_dry_and_wet():
 
 # --- seabed ---------------------------------------------------------------------------------------------------------
 
-BED = Seabed(np.array([5e3]), np.array([700.0]), -20.0)
+
+def slope_grid(smooth=False, curved=False):
+    x, y = np.linspace(-40.0, 40.0, 9), np.linspace(-30.0, 30.0, 5)
+    X, Y = np.meshgrid(x, y, indexing="ij")
+    return grid_bed(x, y, 20.0 + 0.2 * X - 0.1 * Y + (2e-3 * X * Y + 1e-3 * X * X if curved else 0.0), smooth)
+
+
+BEDS = {"flat": flat_bed(-20.0), "plane": slope_grid(), "twisted": slope_grid(curved=True),
+        "smooth": slope_grid(True, True)}  # fmt: skip
 PENETRATIONS = st.floats(-0.5, 0.5).filter(lambda d: abs(d) > 1e-3)
+PLACES = st.tuples(st.floats(-35.0, 35.0), st.floats(-25.0, 25.0))
+
+
+def contact_on(bed):
+    return Contact(np.array([5e3]), np.array([700.0]), BEDS[bed])
 
 
 @FEW
-@given(PENETRATIONS, PENETRATIONS, UNIT)
-def test_seabed_tangents_are_derivatives_with_the_start_of_the_step_held(before, depth, vz):
-    i, z0, z = np.uintp(0), -20.0 - before, -20.0 - depth
+@given(st.sampled_from(sorted(BEDS)), PLACES)
+def test_slopes_of_the_bed_are_its_derivatives(bed, place):
+    p = BEDS[bed]
+    if len(p.x) and min(np.abs(p.x - place[0]).min(), np.abs(p.y - place[1]).min()) < 1e-3:
+        return  # the bilinear surface has edges there
+    _, zx, zy, zxx, zxy, zyy = bed_at(p, *place)
+    agree([zx, zy], derivative(lambda *x: [bed_at(p, *x)[0]], place, 1e-5)[0], 1e-6, 1.0)
+    D = derivative(lambda *x: bed_at(p, *x)[1:3], place, 1e-5)
+    agree([[zxx, zxy], [zxy, zyy]], D, 1e-6, 1.0)
+
+
+@FEW
+@given(st.sampled_from(sorted(BEDS)), PLACES, PENETRATIONS, PENETRATIONS, VECTORS)
+def test_contact_block_is_the_symmetric_part_of_the_derivative(bed, place, before, depth, v):
+    """With the start of the step held. On a plane bed the derivative is symmetric by itself."""
+    p, i = contact_on(bed), np.uintp(0)
     if abs(depth - before) < 1e-2:
         return
-    K = seabed_terms(BED, i, z0, z, vz, STIFFNESS)[1]
-    C = seabed_terms(BED, i, z0, z, vz, DAMPING)[1]
-    agree([K], -derivative(lambda x: [seabed_terms(BED, i, z0, x, vz, STIFFNESS)[0]], [z])[0], 1e-6, 5e3)
-    agree([C], -derivative(lambda x: [seabed_terms(BED, i, z0, z, x, DAMPING)[0]], [vz])[0], 1e-6, 700.0)
+    if len(p.bed.x) and min(np.abs(p.bed.x - place[0]).min(), np.abs(p.bed.y - place[1]).min()) < 1e-3:
+        return
+    level = bed_at(p.bed, *place)[0]
+    r0, r = (*place, level - before), (*place, level - depth)
+
+    def force(r, v):
+        N, n, _ = contact_terms(p, i, r0, r, v, STIFFNESS)
+        return N * np.array(n)
+
+    K = full(contact_terms(p, i, r0, r, v, STIFFNESS)[2])
+    D = -derivative(lambda *x: force(x, v), r)
+    slack = 0.0 if bed in ("flat", "plane") else 700.0 * np.abs(v).max() * 0.05  # how the damper's n turns is left out
+    assert np.abs(K - 0.5 * (D + D.T)).max() <= 1e-5 * 5e3 + slack
+    C = full(contact_terms(p, i, r0, r, v, DAMPING)[2])
+    agree(C, -derivative(lambda *x: force(r, x), v), 1e-6, 700.0)
 
 
 @FEW
-@given(PENETRATIONS)
-def test_bed_pushes_with_minus_the_gradient_of_its_energy(depth):
-    i, z = np.uintp(0), -20.0 - depth
-    force = seabed_terms(BED, i, z, z, 0.0, STIFFNESS)[0]
-    agree([force], -derivative(lambda x: [seabed_energy(BED, i, x)], [z])[0], 1e-6, 5e3)
+@given(st.sampled_from(("flat", "plane")), PLACES, PENETRATIONS)
+def test_bed_pushes_with_minus_the_gradient_of_its_energy(bed, place, depth):
+    p, i = contact_on(bed), np.uintp(0)
+    r = (*place, bed_at(p.bed, *place)[0] - depth)
+    N, n, _ = contact_terms(p, i, r, r, (0.0, 0.0, 0.0), STIFFNESS)
+    if len(p.bed.x) and min(np.abs(p.bed.x - place[0]).min(), np.abs(p.bed.y - place[1]).min()) < 1e-3:
+        return
+    agree(N * np.array(n), -derivative(lambda *x: [contact_energy(p, i, x)], r)[0], 1e-6, 5e3)
+
+
+def rubbing(name, axial=0.4, transverse=0.7, ratio=1.0):
+    laws = {"saturated": law.SATURATED, "velocity": law.VELOCITY, "elastic": law.ELASTIC, "stick-slip": law.STICK_SLIP}
+    return Friction(
+        laws[name], axial, transverse, ratio, 1e4 * axial, 1e4 * transverse, 0.05, np.array([2e5]),
+        np.array([300.0 if name == "stick-slip" else 0.0]),
+    )  # fmt: skip
+
+
+ALONG, UP = (0.6, 0.8, 0.0), (0.0, 0.0, 1.0)
+SLOW = st.tuples(st.floats(-0.3, 0.3), st.floats(-0.3, 0.3), st.floats(-0.1, 0.1))
+
+
+@FEW
+@given(st.sampled_from(("saturated", "velocity", "elastic", "stick-slip")), SLOW, SLOW)
+def test_friction_is_never_above_its_ellipse_and_never_leaves_the_bed(name, w, d):
+    p, N = rubbing(name), 800.0
+    stuck = tuple(0.05 * np.array(d))
+    f = np.array(friction_terms(p, np.uintp(0), N, UP, ALONG, (0.0, 0.0, 0.0), w, stuck, STIFFNESS)[0])
+    assert abs(f[2]) <= 1e-9 * N
+    fa = f @ ALONG
+    ft = np.linalg.norm(f - fa * np.array(ALONG))
+    if name in ("elastic", "stick-slip"):
+        assert np.hypot(fa / (0.4 * N), ft / (0.7 * N)) <= 1.0 + 1e-9
+    else:
+        assert abs(fa) <= 0.4 * N * (1 + 1e-9)
+        assert ft <= 0.7 * N * (1 + 1e-9)
+
+
+@FEW
+@given(st.sampled_from(("saturated", "velocity")), SLOW)
+def test_friction_of_velocity_takes_energy_and_its_block_is_its_derivative(name, w):
+    p, N, i = rubbing(name), 800.0, np.uintp(0)
+    flat = np.array([w[0], w[1], 0.0])
+    wa = flat @ ALONG
+    wt = np.linalg.norm(flat - wa * np.array(ALONG))
+    edge = N / 1e4 if name == "saturated" else 0.05
+    if min(abs(abs(wa) - edge), abs(wt - edge), wt) < 2e-3:
+        return  # the ramp has a corner there
+
+    def force(*w):
+        return friction_terms(p, i, N, UP, ALONG, (0.0, 0.0, 0.0), w, (0.0, 0.0, 0.0), DAMPING)[0]
+
+    assert np.dot(force(*w), w) <= 0.0
+    block = full(friction_terms(p, i, N, UP, ALONG, (0.0, 0.0, 0.0), w, (0.0, 0.0, 0.0), DAMPING)[1])
+    agree(block, -derivative(force, w, 1e-7), 1e-5, 1e4)
+
+
+@FEW
+@given(SLOW)
+def test_return_mapping_has_its_consistent_tangent(d):
+    """Isotropic: the derivative of the returned force; on the ellipse of unequal coefficients it is not symmetric."""
+    p, N, i = rubbing("elastic", 0.5, 0.5), 800.0, np.uintp(0)
+    r = tuple(0.05 * np.array([d[0], d[1], 0.0]))
+    if abs(np.hypot(r[0], r[1]) * 2e5 - 400.0) < 5.0:
+        return  # the corner between stick and slip
+
+    def force(*r):
+        return friction_terms(p, i, N, UP, ALONG, r, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), STIFFNESS)[0]
+
+    block = full(friction_terms(p, i, N, UP, ALONG, r, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), STIFFNESS)[1])
+    D = -derivative(force, r, 1e-8)
+    agree(block[:2, :2], D[:2, :2], 1e-4, 2e5)
+
+
+def test_no_energy_is_gained_in_a_closed_loop():
+    """A node led round a loop and back: friction has taken work, and what its spring holds was paid for."""
+    p, N, i, zero = rubbing("elastic"), 800.0, np.uintp(0), (0.0, 0.0, 0.0)
+    angle = np.linspace(0.0, 2.0 * np.pi, 721)
+    path = 0.02 * np.stack([np.cos(angle) - 1.0, np.sin(angle), 0.0 * angle], axis=1)
+    stuck, work, before = zero, 0.0, np.zeros(3)
+    for r0, r in pairwise(path):
+        force = np.array(friction_terms(p, i, N, UP, ALONG, tuple(r), zero, stuck, STIFFNESS)[0])
+        work += 0.5 * (force + before) @ (r - r0)
+        stuck, before = stuck_after(p, i, N, UP, ALONG, tuple(r), zero, stuck, STIFFNESS), force
+    held = 0.5 * 2e5 * np.sum((path[-1] - np.array(stuck)) ** 2)
+    assert work + held < 0.0
+    # in full slip the work is that of the ellipse's force along the loop
+    assert -work > 0.9 * 0.4 * N * 2.0 * np.pi * 0.02
 
 
 @FEW

@@ -1,6 +1,6 @@
 """Elastic catenaries: statics of lumped masses against the continuous line, of second order in the segment length.
 
-Verifies: tension, weight, seabed, catenary
+Verifies: tension, weight, contact, catenary
 
 Hanging. A chain of 500 m between points 350 m and 80 m apart, in water, high above the bed, against Irvine's closed
 form. Lumping is a midpoint sum of the line's direction, which gives the error of the end tensions with its constant

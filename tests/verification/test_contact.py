@@ -1,6 +1,6 @@
 """Contact with the seabed: a falling line in closed form, its energy, and how errors fall with the step.
 
-Verifies: seabed, weight, morison
+Verifies: contact, weight, morison
 
 Landing. A level line that falls in vacuum hits the bed with v0; in contact its penetration x obeys, for each metre,
 

@@ -1,6 +1,6 @@
 """Without drag and damping, energy is kept: what the implicit method loses is of second order in the step, and bounded.
 
-Verifies: tension, weight, seabed, morison
+Verifies: tension, weight, contact, morison
 
 A chain of 12 segments with an end on the bed, under water (buoyancy and weight are potential, added mass is off), starts with
 velocities of 2 m/s. Its energy is computed here from positions and velocities at step ends: kinetic, elastic, weight and bed.
@@ -34,7 +34,7 @@ def energy(built: Built, position, velocity) -> tuple[float, float]:
     elastic = sum(tension_energy(system.tension, np.uintp(j), tuple(x)) for j, x in enumerate(e))
     z, half = position[:, 2], 0.5 * system.weight.buoyancy
     weight = -system.weight.dry @ z - half @ (z[1:] + z[:-1])
-    bed = 0.5 * np.sum(system.seabed.spring * np.maximum(system.seabed.level - z, 0.0) ** 2)
+    bed = 0.5 * np.sum(system.contact.spring * np.maximum(system.contact.bed.flat - z, 0.0) ** 2)
     return kinetic, elastic + weight + bed
 
 

@@ -1,6 +1,6 @@
 """Two reference moorings of floating wind turbines: OC4-DeepCwind (three light chains) and VolturnUS-S (three heavy ones).
 
-Verifies: tension, weight, seabed
+Verifies: tension, weight, contact
 
 Reference. Quasi-static solutions in closed form (`common.Catenary`), which must first give the values computed with
 MoorPy 1.3.0 and published for these moorings, to the digits quoted.

@@ -1,6 +1,6 @@
 """Several sections in one line are the same as several lines that meet at free points without mass.
 
-Verifies: tension, weight, seabed, point
+Verifies: tension, weight, contact, point
 
 In the static equations nothing changes: half segments of both sections meet at a node, or at a point. In a run a node has one
 tangent where two line ends have two, which concerns added mass and drag only: both are off. What is left is rounding: 1e-9 of the

@@ -1,6 +1,6 @@
 """Statics are where damped dynamics come to rest.
 
-Verifies: tension, weight, seabed, point, morison, current, bending
+Verifies: tension, weight, contact, point, morison, current, bending
 
 Three systems start far from equilibrium, at rest, in a current (in still water quadratic drag lets motions die with 1 / t only): chains
 with a float and a bridle; a slack line with a clump that lies partly on the bed; a cable with bending stiffness. They run with a step of 0.5 s, whose numerical damping helps that of the water (what a scheme rests

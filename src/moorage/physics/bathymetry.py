@@ -1,7 +1,7 @@
 """Level and slope of the seabed at a place: flat, bilinear on a rectangular grid, or smooth (bicubic) on it.
 
-Bilinear depth is that of Housner et al. 2022, section 2.1: continuous, but its normal jumps from cell to cell. The smooth
-surface passes through the same grid points with slopes from central differences, so that its normal is continuous.
+Bilinear depth is that of Housner et al. 2022, section 2.1: continuous, but its normal jumps from cell to cell. The
+smooth surface passes through the same grid points with slopes from central differences, so that its normal is continuous.
 Outside the grid the nearest edge goes on, level, as in MoorDyn.
 """
 
@@ -30,7 +30,9 @@ class Bathymetry(NamedTuple):
 
 def flat_bed(level: float) -> Bathymetry:
     """Return a level bed at z = level (m)."""
-    return Bathymetry(np.zeros(0), np.zeros(0), np.zeros((0, 0)), np.zeros((0, 0, 3)), float(level), float(level), False)
+    return Bathymetry(
+        np.zeros(0), np.zeros(0), np.zeros((0, 0)), np.zeros((0, 0, 3)), float(level), float(level), False
+    )
 
 
 def grid_bed(x, y, depth, smooth: bool = False) -> Bathymetry:

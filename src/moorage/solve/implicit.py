@@ -16,9 +16,9 @@ import numpy as np
 from moorage._jit import inlined, kernel
 from moorage._vec3 import add, dot, get, put, scale, sub
 from moorage.layout import Weights, line_nodes, point_row
-from moorage.solve.newton import assemble_island, newton_island, shift, solve_island
 from moorage.physics.contact import contact_terms, near_bed
 from moorage.physics.friction import remembers, stuck_after
+from moorage.solve.newton import assemble_island, newton_island, shift, solve_island
 from moorage.system.assemble import unit_or_zero
 from moorage.system.attach import attach
 
@@ -123,12 +123,15 @@ def stick_island(system, now, trial, island):
     for m in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
         first, last = line_nodes(lines, islands.lines[m])
         for i in range(first, last + 1):
-            r, v, before, stuck = get(trial.position, i), get(trial.velocity, i), get(now.position, i), get(now.stuck, i)
+            r, v, before, stuck = (
+                get(trial.position, i),
+                get(trial.velocity, i),
+                get(now.position, i),
+                get(now.stuck, i),
+            )
             held = r
             if near_bed(system.contact, before, r):
-                q = unit_or_zero(
-                    sub(get(trial.position, min(i + 1, last)), get(trial.position, max(i - 1, first)))
-                )
+                q = unit_or_zero(sub(get(trial.position, min(i + 1, last)), get(trial.position, max(i - 1, first))))
                 N, n, _ = contact_terms(system.contact, np.uintp(i), before, r, v, c)
                 held = stuck_after(system.friction, np.uintp(i), N, n, q, r, v, stuck, c)
             put(trial.stuck, i, held)
