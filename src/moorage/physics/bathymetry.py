@@ -1,8 +1,8 @@
 """Level and slope of the seabed at a place: flat, bilinear on a rectangular grid, or smooth (bicubic) on it.
 
 Bilinear depth is that of Housner et al. 2022, section 2.1: continuous, but its normal jumps from cell to cell. The
-smooth surface passes through the same grid points with slopes from central differences, so that its normal is continuous.
-Outside the grid the nearest edge goes on, level, as in MoorDyn.
+smooth surface passes through the same grid points with slopes from central differences, so that its normal is
+continuous. Outside the grid the nearest edge goes on, level, as in MoorDyn.
 """
 
 from __future__ import annotations

@@ -3,8 +3,8 @@
     F_n = [(z_b - z) n_z k_b n - c_b v_n] d l,   v_n = (v . n) n
 
 On a curved bed this force is no energy's gradient. As written the damper switches on with a jump when a node touches
-the bed, and then some implicit steps have no solution at all. Here the damper acts for the fraction of the step that the
-node spends in contact. That is continuous in the unknown position, needs no regularising depth, and tends to the law
+the bed, and then some implicit steps have no solution at all. Here the damper acts for the fraction of the step that
+the node spends in contact. That is continuous in the unknown position, needs no regularising depth, and tends to the law
 above as the step goes to zero.
 """
 
