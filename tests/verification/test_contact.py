@@ -132,6 +132,6 @@ def test_chains_on_the_bed(chains):
 
 
 def test_chains_on_a_bed_without_damping_fail(chains):
-    seabed = chains.system.seabed
+    seabed = chains.system.contact
     undamped = chains._replace(system=chains.system._replace(seabed=seabed._replace(damper=0.0 * seabed.damper)))
     must_fail(check_chains, undamped, tension(chains, 0.0125 / 16.0))
