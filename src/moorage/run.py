@@ -33,6 +33,7 @@ from moorage.results import (
     warn_of_tight_bends,
     watch_list,
 )
+from moorage.solve.clamps import clamp_angles
 from moorage.solve.host import HostMarch
 from moorage.solve.march import Block, March, Settings
 from moorage.solve.statics import rest, solve
@@ -41,6 +42,7 @@ from moorage.streaming import Progress, stream
 from moorage.system.build import Built, build
 
 VERSION = version("moorage")
+STEEP = np.radians(60.0)  # a clamp's moment grows with the sine of the angle, and falls beyond 90 degrees
 
 
 def solve_statics(model: Model) -> xr.Dataset:
@@ -63,6 +65,7 @@ def solve_statics(model: Model) -> xr.Dataset:
     _accept(model)
     built = build(model)
     equilibrium = solve(built)
+    _warn_of_clamps(built)
     block = March(built, Settings(dt_nodes=1.0, watch=watch_list(model)), 0.0).first()
     stiffness = platform_stiffness(built, block["holder_force"][0][built.coupled])
     attrs = run_attributes(model, None, {"start": "static"}, VERSION) | {"where": equilibrium.where}
@@ -152,6 +155,7 @@ def simulate(
     saved = load_checkpoint(Path(output), mark, VERSION) if resume and output else None
     if saved is None:
         (solve if chosen["start"] == "static" else rest)(built)
+        _warn_of_clamps(built)
     march = March(built, settings, (rows["time"] - 1) * settings.dt_out)
     if saved is not None:
         march.restore(saved.state)
@@ -288,6 +292,18 @@ def _accept(model: Model) -> None:
         warnings.warn(f"{model.file}: options that are not used here: {names}", ModelWarning, stacklevel=3)
     for problem in suspicious(model):
         warnings.warn(str(problem), ModelWarning, stacklevel=3)
+
+
+def _warn_of_clamps(built: Built) -> None:
+    """Warn of lines that leave their clamps far off their direction, where a clamp is no spring any more."""
+    for line, end, angle in clamp_angles(built):
+        if angle > STEEP:
+            warnings.warn(
+                f"line {line} leaves the rod that clamps its end {end} at {np.degrees(angle):.0f} degrees: it is "
+                "tied to the wrong end of the rod, or its segments are too long there",
+                ModelWarning,
+                stacklevel=3,
+            )
 
 
 def _only_points_are_coupled(model: Model) -> None:

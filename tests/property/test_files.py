@@ -36,7 +36,7 @@ WORDS = st.from_regex(r"[A-Za-z][A-Za-z0-9_]{0,8}", fullmatch=True)
 @st.composite
 def curves(draw):
     x = sorted(draw(st.lists(st.floats(-10.0, 10.0), min_size=2, max_size=5, unique=True)))
-    y = sorted(draw(st.lists(st.floats(0.0, 1e9), min_size=len(x), max_size=len(x))))
+    y = sorted(draw(st.lists(st.floats(0.0, 1e9), min_size=len(x), max_size=len(x), unique=True)))
     return Curve(tuple(x), tuple(y))
 
 

@@ -105,9 +105,16 @@ def _point(values: Values) -> Point:
 
 def _line(values: Values, ids: dict[str, int], found: Findings) -> Line:
     sections = tuple(_section(section) for section in values["sections"])
-    stiffeners = tuple(BendStiffener(**stiffener) for stiffener in values.get("stiffeners", ()))
+    stiffeners = tuple(_stiffener(stiffener) for stiffener in values.get("stiffeners", ()))
     ends = {end: _end(values[end], ids, found) for end in ("end_a", "end_b")}
     return Line(**values | ends | {"sections": sections, "stiffeners": stiffeners})
+
+
+def _stiffener(values: Values) -> BendStiffener:
+    profile = values.get("stiffness")
+    if isinstance(profile, float):  # the same all along
+        profile = Curve((0.0, 1.0), (profile, profile))
+    return BendStiffener(**values | {"stiffness": profile})
 
 
 def _section(values: Values) -> Section:

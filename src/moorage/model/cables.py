@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import pairwise
 from typing import Literal
 
-from moorage.errors import Problem
-from moorage.model.components import Attachment, Curve, Line
+from moorage.errors import Problem, Source
+from moorage.model.components import Attachment, BendStiffener, Curve, Line
 from moorage.model.model import Model
 
 
@@ -64,7 +65,7 @@ def directions_are_given(model: Model) -> Iterator[Problem]:
 
 
 def stiffeners_fit(model: Model) -> Iterator[Problem]:
-    """A bend stiffener lies on the section at its end and is not thinner than the line."""
+    """A bend stiffener lies on the section at its end, is not thinner than the line, and has a stiffness."""
     diameters = {t.name.lower(): t.diameter for t in model.line_types}
     for line in model.lines:
         for stiffener in line.stiffeners:
@@ -79,8 +80,33 @@ def stiffeners_fit(model: Model) -> Iterator[Problem]:
             thinnest = min(stiffener.root_diameter, stiffener.tip_diameter)
             if thinnest < diameters.get(section.line_type.lower(), 0.0):
                 yield Problem(f"{name} is thinner than the line", "give outer diameters", where, thinnest)
-            if stiffener.stiffness is None and stiffener.youngs_modulus <= 0.0:
-                yield Problem(f"{name} has no stiffness", "give Young's modulus, or EI along it", where)
+            if stiffener.density < 0.0:
+                yield Problem(f"density of the {name} must not be negative", "correct it", where, stiffener.density)
+            yield from _stiffness_is_given(stiffener, name, where)
+
+
+def _stiffness_is_given(stiffener: BendStiffener, name: str, where: Source | None) -> Iterator[Problem]:
+    profile = stiffener.stiffness
+    if profile is None:
+        if stiffener.youngs_modulus <= 0.0:
+            yield Problem(f"{name} has no stiffness", "give Young's modulus, or EI along it", where)
+    else:
+        if len(profile.x) < 2 or any(b <= a for a, b in pairwise(profile.x)):
+            message = f"distances of EI of the {name} do not increase"
+            yield Problem(message, "give two or more, from the root on", where, profile.x)
+        if min(profile.y, default=0.0) < 0.0:
+            yield Problem(f"EI of the {name} must not be negative", "correct it", where, min(profile.y))
+
+
+def springs_are_possible(model: Model) -> Iterator[Problem]:
+    """Rotational springs at line ends are not negative, and sit on rods."""
+    for line in model.lines:
+        for end, spring, hold in (("A", line.end_a_stiffness, line.end_a), ("B", line.end_b_stiffness, line.end_b)):
+            name = f"rotational stiffness of end {end} of line {line.id}"
+            if spring is not None and spring < 0.0:
+                yield Problem(f"{name} must not be negative", "correct it", line.source, spring)
+            elif spring and hold.kind == "point":
+                yield Problem(f"{name} has no rod to turn in", f"tie end {end} to a rod", line.source, spring)
 
 
 def sections_are_graded_well(model: Model) -> Iterator[Problem]:
@@ -98,6 +124,10 @@ def sections_are_graded_well(model: Model) -> Iterator[Problem]:
             if modules.pitch <= 0.0 or modules.length <= 0.0 or modules.length > modules.pitch:
                 message = f"{name} are {modules.length:g} m long at a pitch of {modules.pitch:g} m"
                 yield Problem(message, "give a pitch of at least the length", modules.source or where)
+            if modules.mass < 0.0:
+                yield Problem(
+                    f"mass of the {name} must not be negative", "correct it", modules.source or where, modules.mass
+                )
             if modules.diameter < diameters.get(section.line_type.lower(), 0.0):
                 yield Problem(f"{name} are thinner than the line", "give the outer diameter", where, modules.diameter)
 

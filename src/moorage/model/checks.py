@@ -14,6 +14,7 @@ from moorage.model.cables import (
     joints_are_joints,
     pinned_junctions,
     sections_are_graded_well,
+    springs_are_possible,
     stiffeners_fit,
 )
 from moorage.model.channels import parse_channel
@@ -159,6 +160,8 @@ def _curves(line_type: LineType) -> Iterator[Problem]:
                 yield Problem(f"{what} does not increase at row {k + 2}", remedy, line_type.source, b)
         if field == "axial_stiffness" and any(b < a for a, b in pairwise(curve.y)):
             yield Problem(f"{what} has falling tension", "give tensions that do not fall", line_type.source)
+        if field == "bending_stiffness" and any(b <= a for a, b in pairwise(curve.y)):
+            yield Problem(f"{what} has moments that do not increase", "give larger and larger ones", line_type.source)
 
 
 def rod_types_are_possible(model: Model) -> Iterator[Problem]:
@@ -369,6 +372,7 @@ CHECKS: tuple[Check, ...] = (
     directions_are_given,
     joints_are_joints,
     stiffeners_fit,
+    springs_are_possible,
     sections_are_graded_well,
     free_points_are_held,
     events_name_what_exists,
