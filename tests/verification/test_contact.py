@@ -86,7 +86,7 @@ CONTACT = np.pi / np.sqrt(4e5 * DIAMETER / MASS)  # s, about
 
 def bounce_error(step: float, damping: float = 0.0) -> float:
     """Relative loss of energy over one bounce."""
-    t, x, v = fallen(step, BOUNCE[0], damping, 1.5 * CONTACT + 0.1)
+    _, x, v = fallen(step, BOUNCE[0], damping, 1.5 * CONTACT + 0.1)
     height, speed = -x[-1], v[-1]
     assert height > 0.0
     return float(abs((0.5 * speed**2 + GRAVITY * height) / (GRAVITY * DROP) - 1.0))
@@ -133,5 +133,5 @@ def test_chains_on_the_bed(chains):
 
 def test_chains_on_a_bed_without_damping_fail(chains):
     seabed = chains.system.contact
-    undamped = chains._replace(system=chains.system._replace(seabed=seabed._replace(damper=0.0 * seabed.damper)))
+    undamped = chains._replace(system=chains.system._replace(contact=seabed._replace(damper=0.0 * seabed.damper)))
     must_fail(check_chains, undamped, tension(chains, 0.0125 / 16.0))
