@@ -7,12 +7,12 @@ from typing import NamedTuple
 import numpy as np
 
 from moorage.errors import ConvergenceError
-from moorage.layout import copy_of
+from moorage.layout import State, copy_of
 from moorage.solve.places import place_name
-from moorage.solve.statics_kernel import place_at_rest, relax_island
+from moorage.solve.statics_kernel import descend_island, place_at_rest, relax_island
 from moorage.system.build import Built
 
-ITERATIONS = 2000
+QUICK, ITERATIONS = 300, 2000  # of continuation, and then of descent
 
 
 class Equilibrium(NamedTuple):
@@ -57,10 +57,13 @@ def solve(built: Built, tolerance: float | None = None) -> Equilibrium:
     islands = built.system.islands
     worst, where, used, damped = 0.0, -1, 0, 0
     for island in range(len(islands.line_ptr) - 1):
-        force, row, n, d = relax_island(
-            built.system, built.state, built.work, island, _reach(built, island), accepted, ITERATIONS
-        )
+        given = built.system, built.state, built.work, island, _reach(built, island), accepted
+        force, row, n, d = relax_island(*given, QUICK)
         used, damped = used + n, damped + d
+        if not force < accepted:
+            _put_back(built, island, begin)
+            force, row, n, d = descend_island(*given, ITERATIONS)
+            used, damped = used + n, damped + d
         if not force <= worst:
             worst, where = force, row
     if not worst < max(accepted, 1e-300):
@@ -81,6 +84,16 @@ def rest(built: Built) -> None:
     """Attach all line ends at time 0 with everything at rest, without looking for equilibrium."""
     for island in range(len(built.system.islands.line_ptr) - 1):
         place_at_rest(built.system, built.state, built.work, island)
+
+
+def _put_back(built: Built, island: int, begin: State) -> None:
+    """Copy the rows of an island from the state at the start."""
+    islands, ptr = built.system.islands, built.names.node_ptr
+    lines = islands.lines[islands.line_ptr[island] : islands.line_ptr[island + 1]]
+    points = islands.points[islands.point_ptr[island] : islands.point_ptr[island + 1]]
+    rows = np.concatenate([*(np.arange(ptr[k], ptr[k + 1]) for k in lines), ptr[-1] + points])
+    for target, source in zip(built.state, begin, strict=True):
+        target[rows] = source[rows]
 
 
 def _reach(built: Built, island: int) -> float:

@@ -1,9 +1,14 @@
-"""Static equilibrium of an island with the same tangent: Newton with line search, or pseudo-transient continuation."""
+"""Static equilibrium of an island with the same tangent: Newton with line search, continuation in pseudo time, descent.
+
+Continuation is fast and fails for a line in some forty, mostly long slack ones in the surface or under a heavy clump.
+Descent takes two to three times the iterations and does not: without bending and current the potential energy is
+convex (a rope's grows with its length, the surface and the bed push back), so that it cannot go astray.
+"""
 
 from __future__ import annotations
 
 from moorage._jit import kernel
-from moorage._vec3 import put
+from moorage._vec3 import dot, get, put
 from moorage.layout import Weights, line_nodes, point_row
 from moorage.solve.newton import assemble_island, largest_imbalance, shift, solve_island
 from moorage.system.attach import attach
@@ -81,3 +86,60 @@ def relax_island(system, state, work, island, reach, tolerance, iterations):
             damped += 1
         before = force
     return force, row, iterations, damped
+
+
+@kernel
+def descend_island(system, state, work, island, reach, tolerance, iterations):
+    """Find equilibrium by descent in potential energy; returns the same as `relax_island`, all iterations as damped.
+
+    S = M / tau^2 + K is positive definite wherever K is not indefinite, so that its increments go downhill. A step is
+    halved until it makes the imbalance fall, or does not end far up the other side of the valley: the work of the
+    forces on the increment must not become less than minus half of what it was. tau shrinks where that takes much.
+    """
+    place_at_rest(system, state, work, island)
+    tau, force, row = 1e3, 1e300, -1
+    for iteration in range(iterations):
+        c = Weights(1.0 / (tau * tau), 0.0, 1.0)
+        assemble_island(system, state, state, work, island, c)
+        force, row, total = largest_imbalance(system, state, work, island, c)
+        if force < tolerance or not force < 1e299:
+            return force, row, iteration, iteration
+        solve_island(system, state, work, island, c)
+        longest, _ = shift(system, state, work, island, 0.0, 0.0, 0.0)
+        if not longest < 1e100:
+            tau = max(1e-4, 0.1 * tau)
+            continue
+        assemble_island(system, state, state, work, island, c)
+        largest_imbalance(system, state, work, island, c)
+        begin = work_done(system, work, island)
+        taken, halvings = min(1.0, reach / (longest + 1e-300)), 0
+        whole = taken == 1.0
+        shift(system, state, work, island, taken, 0.0, 0.0)
+        while halvings < 10:
+            assemble_island(system, state, state, work, island, c)
+            _, _, trial = largest_imbalance(system, state, work, island, c)
+            if trial < total or work_done(system, work, island) > -0.5 * begin:
+                break
+            taken *= 0.5
+            shift(system, state, work, island, -taken, 0.0, 0.0)
+            halvings += 1
+        if halvings == 0 and whole:
+            tau = min(1e3, 3.0 * tau)
+        elif halvings >= 2:
+            tau = max(1e-4, 0.5 * min(tau, 1.0))
+    return force, row, iterations, iterations
+
+
+@kernel
+def work_done(system, work, island):
+    """Work of the out-of-balance forces on the increment, J."""
+    lines, islands = system.lines, system.islands
+    total = 0.0
+    for m in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
+        first, last = line_nodes(lines, islands.lines[m])
+        for i in range(first + 1, last):
+            total += dot(get(work.force, i), get(work.increment, i))
+    for p in range(islands.point_ptr[island], islands.point_ptr[island + 1]):
+        row = point_row(lines, islands.points[p])
+        total += dot(get(work.force, row), get(work.increment, row))
+    return total
