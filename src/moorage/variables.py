@@ -48,6 +48,7 @@ _TABLE = (
     Variable("node_declination", "theta", ("time", "node"), "rad", "tangent towards end B from the vertical, 0 for up"),
     Variable("minimum_bend_radius", "R_min", ("time", "line"), "m", "radius where a line is bent most"),
     Variable("bend_utilisation", "", ("time", "line"), "1", "largest curvature times allowed bend radius"),
+    Variable("seabed_gap", "", ("time", "node"), "m", "height of a node over the seabed"),
     Variable("touchdown_position", "r_TD", ("time", "line", "xyz"), "m", "where a line meets the seabed, NaN: nowhere"),
     Variable("touchdown_arc_length", "s_TD", ("time", "line"), "m", "unstretched arc length of that from end A"),
     Variable("arc_length", "s", ("node",), "m", "unstretched arc length of a node from end A"),

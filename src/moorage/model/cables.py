@@ -120,16 +120,14 @@ def sections_are_graded_well(model: Model) -> Iterator[Problem]:
             modules = section.modules
             if modules is None:
                 continue
-            name = f"buoyancy modules of line {line.id}"
+            name, place = f"buoyancy modules of line {line.id}", modules.source or where
             if modules.pitch <= 0.0 or modules.length <= 0.0 or modules.length > modules.pitch:
                 message = f"{name} are {modules.length:g} m long at a pitch of {modules.pitch:g} m"
-                yield Problem(message, "give a pitch of at least the length", modules.source or where)
+                yield Problem(message, "give a pitch of at least the length", place)
             if modules.mass < 0.0:
-                yield Problem(
-                    f"mass of the {name} must not be negative", "correct it", modules.source or where, modules.mass
-                )
+                yield Problem(f"mass of the {name} must not be negative", "correct it", place, modules.mass)
             if modules.diameter < diameters.get(section.line_type.lower(), 0.0):
-                yield Problem(f"{name} are thinner than the line", "give the outer diameter", where, modules.diameter)
+                yield Problem(f"{name} are thinner than the line", "give the outer diameter", place, modules.diameter)
 
 
 def pinned_junctions(model: Model) -> list[Problem]:

@@ -27,6 +27,7 @@ HISTORIES = (
     "bending_moment",
     "node_declination",
     "minimum_bend_radius",
+    "seabed_gap",
     "touchdown_position",
     "touchdown_arc_length",
 )
@@ -48,8 +49,6 @@ class Bending:
         Allowed bend radius, m.
     stiff : (lines,) bool
         Whether a line has bending stiffness.
-    bed : float
-        z of the seabed, m.
     """
 
     node_ptr: np.ndarray
@@ -57,7 +56,6 @@ class Bending:
     arc_length: np.ndarray
     allowed: np.ndarray
     stiff: np.ndarray
-    bed: float
 
     @property
     def histories(self) -> tuple[str, ...]:
@@ -75,7 +73,7 @@ class Bending:
         return moments | (self._histories(block) if "curvature" in block else {})
 
     def _histories(self, block: Block) -> dict[str, np.ndarray]:
-        position, curvature = block["node_position"], block["curvature"].copy()
+        position, gap, curvature = block["node_position"], block["seabed_gap"], block["curvature"].copy()
         declination = np.empty_like(curvature)
         spot, arc = np.empty((len(position), len(self.stiff), 3)), np.empty((len(position), len(self.stiff)))
         for k, stiff in enumerate(self.stiff):
@@ -83,7 +81,7 @@ class Bending:
             length = self.length[nodes.start - k : nodes.stop - k - 1]
             tangents = segment_tangents(position[:, nodes])
             declination[:, nodes] = declinations(tangents, length)
-            spot[:, k], arc[:, k] = touchdown(position[:, nodes], self.arc_length[nodes], self.bed)
+            spot[:, k], arc[:, k] = touchdown(position[:, nodes], gap[:, nodes], self.arc_length[nodes])
             if not stiff:
                 curvature[:, nodes.start + 1 : nodes.stop - 1] = curvatures(tangents, length)
         with np.errstate(divide="ignore"):
@@ -104,8 +102,7 @@ def bending_of(model: Model, built: Built, allowed: np.ndarray) -> Bending | Non
     if not stiff.any() and not any("K" in line.outputs for line in model.lines):
         return None
     names = built.names
-    bed = -float(model.environment.water_depth)
-    return Bending(names.node_ptr, names.segment_length, names.arc_length, allowed, stiff, bed)
+    return Bending(names.node_ptr, names.segment_length, names.arc_length, allowed, stiff)
 
 
 def segment_tangents(position: np.ndarray) -> np.ndarray:
@@ -131,22 +128,29 @@ def declinations(tangents: np.ndarray, length: np.ndarray) -> np.ndarray:
     return np.arctan2(np.hypot(x, y), z)
 
 
-def touchdown(position: np.ndarray, arc: np.ndarray, bed: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return where a line (m, n, 3) first meets the bed on the way from its higher end: (m, 3) and arc length (m,).
+def touchdown(position: np.ndarray, gap: np.ndarray, arc: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return where a line first meets the bed on the way from its higher end: place (m, 3) and arc length (m,).
 
     Between the node on the bed and the one above it the line is taken as straight. NaN when it does not reach the bed,
     or when its higher end lies on it.
+
+    Parameters
+    ----------
+    position, gap : (m, n, 3), (m, n)
+        Of the nodes, and their height over the bed, m.
+    arc : (n,)
+        Arc length of the nodes, m.
     """
-    z, last = position[:, :, 2], position.shape[1] - 1
-    from_b = z[:, -1] >= z[:, 0]
-    on_bed = z <= bed + TOUCH
+    last = len(arc) - 1
+    from_b = position[:, -1, 2] >= position[:, 0, 2]
+    on_bed = gap <= TOUCH
     steps = np.where(from_b[:, None], on_bed[:, ::-1], on_bed).argmax(axis=1)  # to the first node on the bed
     found = steps > 0
     node = np.where(from_b, last - steps, steps)
     above = np.where(found, node + np.where(from_b, 1, -1), node)
-    row = np.arange(len(z))
-    rise = np.where(found, z[row, above] - z[row, node], 1.0)
-    s = np.clip((bed - z[row, node]) / rise, 0.0, 1.0)
+    row = np.arange(len(gap))
+    rise = np.where(found, gap[row, above] - gap[row, node], 1.0)
+    s = np.clip(-gap[row, node] / rise, 0.0, 1.0)
     spot = position[row, node] + s[:, None] * (position[row, above] - position[row, node])
     along = arc[node] + s * (arc[above] - arc[node])
     return np.where(found[:, None], spot, np.nan), np.where(found, along, np.nan)

@@ -53,22 +53,22 @@ def _plain(value: object) -> object:
 
 
 def _report(ds: xr.Dataset, cable: Cable) -> CableReport:
-    x, y, z = end_value(ds, "force", cable.hang_off)
+    fx, fy, fz = end_value(ds, "force", cable.hang_off)
     curvature = ds["curvature"].values[cable.nodes]
     peak = int(np.argmax(curvature))
     line = int(ds["node_line"].values[cable.nodes[peak]])
     first = int(np.flatnonzero(ds["node_line"].values == line)[0])
-    bed = -float(ds.attrs["water_depth"])
-    sag, hog = sag_and_hog(cable.distance, ds["node_position"].values[cable.nodes, 2], bed)
+    z, gap = ds["node_position"].values[cable.nodes, 2], ds["seabed_gap"].values[cable.nodes]
+    sag, hog = sag_and_hog(cable.distance, z, gap)
     spot, distance = _touchdown(ds, cable)
     used = "bend_utilisation" in ds
     return CableReport(
         cable.lines,
         float(end_value(ds, "tension", cable.hang_off)),
-        float(np.arctan2(np.hypot(x, y), -z)),
+        float(np.arctan2(np.hypot(fx, fy), -fz)),
         float(np.linalg.norm(end_value(ds, "moment", cable.hang_off))),
-        sag - bed,
-        hog - bed,
+        sag,
+        hog,
         float(curvature[peak]),
         float(cable.distance[peak]),
         line,
@@ -95,19 +95,19 @@ def _touchdown(ds: xr.Dataset, cable: Cable) -> tuple[tuple[float, float, float]
     return (NOWHERE, NOWHERE, NOWHERE), NOWHERE
 
 
-def sag_and_hog(distance: np.ndarray, z: np.ndarray, bed: float) -> tuple[float, float]:
-    """Return z of the lowest sag that is off the bed and of the highest hog between the ends, NaN for none.
+def sag_and_hog(distance: np.ndarray, z: np.ndarray, gap: np.ndarray) -> tuple[float, float]:
+    """Return the heights over the bed of the lowest sag that is off it and of the highest hog, NaN for none.
 
-    A parabola through the node and its neighbours gives the turning point between nodes.
+    A parabola through a node and its neighbours gives the turning point between nodes.
     """
     keep = np.concatenate([[True], np.diff(distance) > 0.0])  # joints have two nodes
-    s, z = distance[keep], z[keep]
-    slopes = np.diff(z) / np.diff(s)
+    s, z, gap = distance[keep], z[keep], gap[keep]
+    slopes, steps = np.diff(z) / np.diff(s), np.diff(s)
     before, after = slopes[:-1], slopes[1:]
-    off = z[1:-1] - bed > CLEAR * (z.max() - bed)
-    bend = 2.0 * (after - before) / (s[2:] - s[:-2])
-    at_node = (before * np.diff(s)[1:] + after * np.diff(s)[:-1]) / (s[2:] - s[:-2])
+    slope = (before * steps[1:] + after * steps[:-1]) / (steps[1:] + steps[:-1])
+    bend = 2.0 * (after - before) / (steps[1:] + steps[:-1])
     with np.errstate(divide="ignore", invalid="ignore"):
-        turning = z[1:-1] - 0.5 * at_node**2 / bend
-    sags, hogs = turning[off & (before < 0.0) & (after >= 0.0)], turning[off & (before > 0.0) & (after <= 0.0)]
+        height = gap[1:-1] - 0.5 * slope**2 / bend
+    off = gap[1:-1] > CLEAR * gap.max()
+    sags, hogs = height[off & (before < 0.0) & (after >= 0.0)], height[off & (before > 0.0) & (after <= 0.0)]
     return float(sags.min()) if len(sags) else NOWHERE, float(hogs.max()) if len(hogs) else NOWHERE
