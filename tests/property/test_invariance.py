@@ -1,7 +1,7 @@
 """Results do not depend on where the axes point, where the origin lies, or how things are numbered.
 
-Statics stop at an imbalance of 1e-3 N; where the mooring yields most, at 1 kN/m, that is 1e-6 m. Runs amplify rounding
-and that difference a little when nodes meet the bed, which is why they are given more room.
+Statics stop at an imbalance of 1e-3 N; where the mooring yields most, at 1 kN/m, that is 1e-6 m. Runs amplify
+rounding and that difference a little when nodes meet the bed, which is why they are given more room.
 """
 
 from __future__ import annotations

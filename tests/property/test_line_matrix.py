@@ -1,8 +1,8 @@
 """The assembled matrix of whole lines against finite differences of the assembled force, and what must add up to zero.
 
-The lines are in disorder on purpose: random positions, velocities and accelerations, slack and taut segments, nodes in
-the bed and on their way into it, two sections, a free point, bends. What the matrix leaves out (how the direction of
-inertia, drag and damping turns) is switched off where it would spoil the comparison, and nothing else.
+The lines are in disorder on purpose: random positions, velocities and accelerations, slack and taut segments, nodes
+in the bed and on their way into it, two sections, a free point, bends. What the matrix leaves out (how the direction
+of inertia, drag and damping turns) is switched off where it would spoil the comparison, and nothing else.
 """
 
 from __future__ import annotations

@@ -6,8 +6,9 @@ On N lumped segments of length h the modes are still sines, and with c = (2 - 2 
 
     omega^2 = (T c + EI c^2) / m
 
-holds exactly: measured frequencies must be those to 1e-7, what the strain of 1e-8 and rounding leave. Against the beam
-itself the error is of second order, within 0.1. A beam of EI = 0 must fail, and so must one with its hinge law off by 1 %.
+holds exactly: measured frequencies must be those to 1e-7, what the strain of 1e-8 and rounding leave. Against the
+beam itself the error is of second order, within 0.1. A beam of EI = 0 must fail, and so must one with its hinge law
+off by 1 %.
 """
 
 from __future__ import annotations

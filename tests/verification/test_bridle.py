@@ -2,12 +2,12 @@
 
 Verifies: point, tension
 
-The answer is chosen first: a point p, three anchors, tensions T_i. Weightless elastic lines are straight, so that unstretched lengths
-|p - a_i| / (1 + T_i / EA) and the external force -sum T_i u_i (u_i from p to the anchors) make p the equilibrium. Statics start
-from 5 m away and must find p to 1e-6 m and the tensions to 1e-8.
+The answer is chosen first: a point p, three anchors, tensions T_i. Weightless elastic lines are straight, so that
+unstretched lengths |p - a_i| / (1 + T_i / EA) and the external force -sum T_i u_i (u_i from p to the anchors) make p
+the equilibrium. Statics start from 5 m away and must find p to 1e-6 m and the tensions to 1e-8.
 
-The stiffness of the point is sum [EA / l_i u u^T + T_i / L_i (I - u u^T)], exactly, whatever the number of segments; with a mass that
-dwarfs the lines' it oscillates at sqrt(K / m): the lines' own mass, 1e-6 of it, is allowed for.
+The stiffness of the point is sum [EA / l_i u u^T + T_i / L_i (I - u u^T)], exactly, whatever the number of segments;
+with a mass that dwarfs the lines' it oscillates at sqrt(K / m): the lines' own mass, 1e-6 of it, is allowed for.
 """
 
 from __future__ import annotations

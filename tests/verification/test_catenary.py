@@ -9,7 +9,8 @@ being (w h / H)^2 / 24 = 0.2 % there. The rate of the error of the shape must li
 
 Grounded. The chain of OC4-DeepCwind, of which a third lies on the bed, against Jonkman's closed form. The bed is 10^4
 times stiffer than usual, because a chain sinks w / (k d) = 4.6 mm into the usual one. The touch-down point falls
-anywhere within a segment, which makes the constant of the error jump from grid to grid, but predictably: within 20 %, because that point itself moves by h^2.
+anywhere within a segment, which makes the constant of the error jump from grid to grid, but predictably: within 20 %,
+because that point itself moves by h^2.
 """
 
 from __future__ import annotations

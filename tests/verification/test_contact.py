@@ -6,16 +6,17 @@ Landing. A level line that falls in vacuum hits the bed with v0; in contact its 
 
     m x'' + c x' + k x = w,  x = 0, x' = v0
 
-(k = k_b d, c = c_b d), a damped oscillator in closed form; with a strong damper it never leaves again. The damper's force
-jumps from 0 to c v0 at touch-down, which limits any step that does not end just there to first order: the error of
-the path must stay below v0 h / 2, half a step's fall, and fall at a rate within 0.1 of 1.
+(k = k_b d, c = c_b d), a damped oscillator in closed form; with a strong damper it never leaves again. The damper's
+force jumps from 0 to c v0 at touch-down, which limits any step that does not end just there to first order: the error
+of the path must stay below v0 h / 2, half a step's fall, and fall at a rate within 0.1 of 1.
 
-Bounce. Without damper the line leaves with the speed at which it came. The force has a corner only, where the implicit method
-gains or loses energy of second order: rate at least 1.7, and 1e-3 at a step of a hundredth of the contact's time.
+Bounce. Without damper the line leaves with the speed at which it came. The force has a corner only, where the
+implicit method gains or loses energy of second order: rate at least 1.7, and 1e-3 at a step of a hundredth of the
+contact's time.
 
-Chain. Three chains with touch-down points, moved at the fairlead by 4 m: the rms error of the fairlead tension against a run with a
-step 16 times finer falls with the step at a rate of at least 1.3, although dampers switch on and off all the time. It
-must be below 0.05 % of the tension at 12.5 ms.
+Chain. Three chains with touch-down points, moved at the fairlead by 4 m: the rms error of the fairlead tension
+against a run with a step 16 times finer falls with the step at a rate of at least 1.3, although dampers switch on and
+off all the time. It must be below 0.05 % of the tension at 12.5 ms.
 """
 
 from __future__ import annotations

@@ -10,10 +10,10 @@ the critical angle p between line and flow at which the drag across it carries i
 (with the flow's drag along the line pulling down it). A lumped line is straight too, so that there is no error of
 discretisation: statics must give angle and end force to the 1e-6 that the accepted imbalance leaves.
 
-Sheared current. A weightless taut line stands between two points in a current from 0 at its foot to U1 at its top. Its
-deflection being small, q(s) = 0.5 rho Cdn d U1^2 (s / L)^2 pulls it with q1 L / 4 at its top and q1 L / 12 at its foot. Lumping
-is the trapezoidal rule, which adds (h / L)^2 / 4 and takes off (h / L)^2 / 12 of q1 L: what is measured must be that within 2e-6,
-the square of the deflection's slope being 1e-6.
+Sheared current. A weightless taut line stands between two points in a current from 0 at its foot to U1 at its top.
+Its deflection being small, q(s) = 0.5 rho Cdn d U1^2 (s / L)^2 pulls it with q1 L / 4 at its top and q1 L / 12 at its
+foot. Lumping is the trapezoidal rule, which adds (h / L)^2 / 4 and takes off (h / L)^2 / 12 of q1 L: what is measured
+must be that within 2e-6, the square of the deflection's slope being 1e-6.
 """
 
 from __future__ import annotations

@@ -2,12 +2,12 @@
 
 Verifies: tension, weight, contact, morison
 
-A chain of 12 segments with an end on the bed, under water (buoyancy and weight are potential, added mass is off), starts with
-velocities of 2 m/s. Its energy is computed here from positions and velocities at step ends: kinetic, elastic, weight and bed.
-Generalised-alpha with rho = 0.7 damps an oscillation by a ratio of (omega dt)^3, and lets its energy swing by (omega dt)^2. What
-is gained or lost over 20 s, relative to the kinetic energy at the start, must fall with the step at a rate between 1.8 and 3.2;
-gains must be below 1e-4, and losses below 2e-4 at a step of 2.5 ms (the fastest mode has a period of 0.25 s). With an axial
-damping of 0.1 % of the critical one the check must fail.
+A chain of 12 segments with an end on the bed, under water (buoyancy and weight are potential, added mass is off),
+starts with velocities of 2 m/s. Its energy is computed here from positions and velocities at step ends: kinetic,
+elastic, weight and bed. Generalised-alpha with rho = 0.7 damps an oscillation by a ratio of (omega dt)^3, and lets
+its energy swing by (omega dt)^2. What is gained or lost over 20 s, relative to the kinetic energy at the start, must
+fall with the step at a rate between 1.8 and 3.2; gains must be below 1e-4, and losses below 2e-4 at a step of 2.5 ms
+(the fastest mode has a period of 0.25 s). With an axial damping of 0.1 % of the critical one the check must fail.
 """
 
 from __future__ import annotations

@@ -2,11 +2,12 @@
 
 Verifies: morison, weight, point
 
-m_a dv/dt = W - D v^2 with m_a = mass and added mass, W = weight in water, has that solution with v_t = sqrt(W / D), g' = W / m_a.
-Three bodies without any force between their parts: a line that falls broadside (0.5 rho Cdn d l), one that falls along itself
-(0.5 rho Cdt pi d l), and a sphere (a free point with mass, volume, CdA and Ca). The step's error must be of second order, within 0.1,
-relative to v_t below 3e-5 at a step of a fiftieth of v_t / g', and after 10 v_t / g' the speed be v_t to 1e-7. RK4 must
-give it to 1e-8. Water that is 1 % too heavy, or a tenth of added mass forgotten, must fail.
+m_a dv/dt = W - D v^2 with m_a = mass and added mass, W = weight in water, has that solution with v_t = sqrt(W / D),
+g' = W / m_a. Three bodies without any force between their parts: a line that falls broadside (0.5 rho Cdn d l), one
+that falls along itself (0.5 rho Cdt pi d l), and a sphere (a free point with mass, volume, CdA and Ca). The step's
+error must be of second order, within 0.1, relative to v_t below 3e-5 at a step of a fiftieth of v_t / g', and after
+10 v_t / g' the speed be v_t to 1e-7. RK4 must give it to 1e-8. Water that is 1 % too heavy, or a tenth of added mass
+forgotten, must fail.
 """
 
 from __future__ import annotations

@@ -5,10 +5,10 @@ Verifies: tension, weight, morison, point
 Bernoulli's chain (Lamb 1910): half the zeros of J0. The lower end is a free point without mass. Measured twice: from
 the eigenvalues of the assembled tangent and mass, and from a run that starts with the velocities of a mode.
 
-Tolerance. With stiffness T / h at the middle of each segment and masses lumped at the nodes, the eigenvalue of a grid is
-the Rayleigh quotient of the exact mode J0(2 omega sqrt(s / g)) on that grid, to order h^2: the error e that is predicted
-so must be the one measured, within 1 % and the next order (5 e), and fall at a rate within 0.05 of 2. EA is so high that the
-chain stretches by 1e-6, for which 3e-6 are allowed.
+Tolerance. With stiffness T / h at the middle of each segment and masses lumped at the nodes, the eigenvalue of a grid
+is the Rayleigh quotient of the exact mode J0(2 omega sqrt(s / g)) on that grid, to order h^2: the error e that is
+predicted so must be the one measured, within 1 % and the next order (5 e), and fall at a rate within 0.05 of 2. EA is
+so high that the chain stretches by 1e-6, for which 3e-6 are allowed.
 
 In time, the step adds an error of second order. Extrapolated to a step of zero, the frequency must be that of the
 eigenvalues within 1e-6 (the amplitude is 1e-4 of the length); the rate must lie within 0.1 of 2.

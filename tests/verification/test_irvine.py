@@ -6,9 +6,10 @@ Irvine & Caughey (1974): with lambda^2 = (m g l / H)^2 l EA / (H Le), Omega = om
 
     tan(Omega / 2) = Omega / 2 - (4 / lambda^2) (Omega / 2)^3
 
-and Omega / pi = 1.04020, 1.34512, 2, 2.59718 for lambda^2 = 1, 10, 4 pi^2, 100. The theory drops terms of (m g l / H)^2,
-2.5e-5 here, and the strain H / EA, which is that over lambda^2. Lumped masses lower a frequency by (Omega / N)^2 / 24, as those
-of a string; measured errors must lie within that and 5e-5, and fall at a rate within 0.1 of 2 on grids where that is all.
+and Omega / pi = 1.04020, 1.34512, 2, 2.59718 for lambda^2 = 1, 10, 4 pi^2, 100. The theory drops terms of (m g l /
+H)^2, 2.5e-5 here, and the strain H / EA, which is that over lambda^2. Lumped masses lower a frequency by (Omega /
+N)^2 / 24, as those of a string; measured errors must lie within that and 5e-5, and fall at a rate within 0.1 of 2 on
+grids where that is all.
 """
 
 from __future__ import annotations

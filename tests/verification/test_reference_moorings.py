@@ -1,20 +1,22 @@
-"""Two reference moorings of floating wind turbines: OC4-DeepCwind (three light chains) and VolturnUS-S (three heavy ones).
+"""Two reference moorings of floating wind turbines: OC4-DeepCwind (three light chains) and VolturnUS-S (three heavy
+ones).
 
 Verifies: tension, weight, contact
 
 Reference. Quasi-static solutions in closed form (`common.Catenary`), which must first give the values computed with
 MoorPy 1.3.0 and published for these moorings, to the digits quoted.
 
-Tensions and vertical load, 50 to 400 segments. Predicted error: lumping, of order h^2 with its constant, within 20 %; and
-the bed. A string under the tension H on springs lies w / (k d) deep (4.6 mm for OC4) and lifts off with a slope, as if
-the bed lay w / (2 k d) deeper; with segments longer than sqrt(H / (k d)) = 2 m it depends on the grid whether none or all
-of w / (k d) counts. This effect is 4e-5 of the tension.
+Tensions and vertical load, 50 to 400 segments. Predicted error: lumping, of order h^2 with its constant, within 20 %;
+and the bed. A string under the tension H on springs lies w / (k d) deep (4.6 mm for OC4) and lifts off with a slope,
+as if the bed lay w / (2 k d) deeper; with segments longer than sqrt(H / (k d)) = 2 m it depends on the grid whether
+none or all of w / (k d) counts. This effect is 4e-5 of the tension.
 
-Stiffness. Between two lift-offs a lumped line turns about the last node on the bed, where a real one rolls off it. The
-tangent stiffness is therefore of **first** order only, with an error that depends on where the point of touch-down falls
-between nodes: up to 2.9 % (surge) and 4.1 % (heave) on OC4 with 50 segments, 7.7 and 12 % on VolturnUS-S, whose
-segments of 17 m weigh more. On a hard bed the measured error must be the predicted one within 0.2 % of the stiffness; on the
-usual, softer bed it must stay within the largest of all phases, which halves with each refinement.
+Stiffness. Between two lift-offs a lumped line turns about the last node on the bed, where a real one rolls off it.
+The tangent stiffness is therefore of **first** order only, with an error that depends on where the point of
+touch-down falls between nodes: up to 2.9 % (surge) and 4.1 % (heave) on OC4 with 50 segments, 7.7 and 12 % on
+VolturnUS-S, whose segments of 17 m weigh more. On a hard bed the measured error must be the predicted one within 0.2
+% of the stiffness; on the usual, softer bed it must stay within the largest of all phases, which halves with each
+refinement.
 """
 
 from __future__ import annotations

@@ -2,10 +2,10 @@
 
 Verifies: tension, weight, contact, point
 
-In the static equations nothing changes: half segments of both sections meet at a node, or at a point. In a run a node has one
-tangent where two line ends have two, which concerns added mass and drag only: both are off. What is left is rounding: 1e-9 of the
-tension in statics (accepted imbalance 1e-5 N), 1e-8 in a run of 4 s with Newton's method taken to the end. A point with a mass of 0.1 % of
-a segment's must fail.
+In the static equations nothing changes: half segments of both sections meet at a node, or at a point. In a run a node
+has one tangent where two line ends have two, which concerns added mass and drag only: both are off. What is left is
+rounding: 1e-9 of the tension in statics (accepted imbalance 1e-5 N), 1e-8 in a run of 4 s with Newton's method taken
+to the end. A point with a mass of 0.1 % of a segment's must fail.
 """
 
 from __future__ import annotations

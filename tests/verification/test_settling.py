@@ -2,11 +2,11 @@
 
 Verifies: tension, weight, contact, point, morison, current, bending
 
-Three systems start far from equilibrium, at rest, in a current (in still water quadratic drag lets motions die with 1 / t only): chains
-with a float and a bridle; a slack line with a clump that lies partly on the bed; a cable with bending stiffness. They run with a step of 0.5 s, whose numerical damping helps that of the water (what a scheme rests
-at is an equilibrium whatever its step), until their speed is below 1e-9 m/s. Tensions must then be those of statics within 1e-7
-and positions within 0.01 mm. With 0.1 % more
-line the check must fail.
+Three systems start far from equilibrium, at rest, in a current (in still water quadratic drag lets motions die with 1
+/ t only): chains with a float and a bridle; a slack line with a clump that lies partly on the bed; a cable with
+bending stiffness. They run with a step of 0.5 s, whose numerical damping helps that of the water (what a scheme rests
+at is an equilibrium whatever its step), until their speed is below 1e-9 m/s. Tensions must then be those of statics
+within 1e-7 and positions within 0.01 mm. With 0.1 % more line the check must fail.
 """
 
 from __future__ import annotations

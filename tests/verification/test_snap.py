@@ -2,11 +2,12 @@
 
 Verifies: tension, morison, motion
 
-A taut-moored rope is moved at its top by 3 m in 7 s, so that it falls slack and snaps to several times its static tension. The adaptive
-run, at tolerances from 20 mm to 0.2 mm, is compared with a fixed step of 0.5 ms on the same grid of segments, which is itself compared with
-1 ms. The local error of a step is of third order and the tolerance bounds h^2 |da|, of the same order: the step goes with the
-third root of the tolerance, the global error of second order with its power 2/3. Snaps start when a segment becomes taut, between step ends,
-so that a power of at least 0.4 is asked for the rms error over the largest and smallest tolerance; errors must be below
+A taut-moored rope is moved at its top by 3 m in 7 s, so that it falls slack and snaps to several times its static
+tension. The adaptive run, at tolerances from 20 mm to 0.2 mm, is compared with a fixed step of 0.5 ms on the same
+grid of segments, which is itself compared with 1 ms. The local error of a step is of third order and the tolerance
+bounds h^2 |da|, of the same order: the step goes with the third root of the tolerance, the global error of second
+order with its power 2/3. Snaps start when a segment becomes taut, between step ends, so that a power of at least 0.4
+is asked for the rms error over the largest and smallest tolerance; errors must be below
 
     tolerance      rms / rms tension    highest peak
     2 mm           1 %                  1 %           (the default)

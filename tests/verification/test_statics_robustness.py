@@ -1,13 +1,14 @@
 """Statics of whatever line: 300 random ones, all of which must come to rest, in balance and stable.
 
-Verifies: tension, weight, seabed, point, catenary
+Verifies: tension, weight, contact, point, catenary
 
-Lines of 2 to 40 cm, EA over three decades, 1 to 60 segments, weight from 5 % to 7 times their displacement, 30 of each
-kind (`statics_cases`): heaps longer than span and depth together, taut, vertical, fully grounded, clear of the bed, buoyant ones that
-reach the surface, under a clump, with a float, of three sections, and described from top to bottom. Each converges or raises
-ConvergenceError and is left as it was; at most 1 % may do the latter. What is found must be balanced within the tolerance that
-is stated, by forces assembled anew, and stable: no eigenvalue of its stiffness below -1e-9 of the largest, what rounding of
-EA leaves (slack nodes on the bed slide without resistance: zero is no failure).
+Lines of 2 to 40 cm, EA over three decades, 1 to 60 segments, weight from 5 % to 7 times their displacement, 30 of
+each kind (`statics_cases`): heaps longer than span and depth together, taut, vertical, fully grounded, clear of the
+bed, buoyant ones that reach the surface, under a clump, with a float, of three sections, and described from top to
+bottom. Each converges or raises ConvergenceError and is left as it was; at most 1 % may do the latter. What is found
+must be balanced within the tolerance that is stated, by forces assembled anew, and stable: no eigenvalue of its
+stiffness below -1e-9 of the largest, what rounding of EA leaves (slack nodes on the bed slide without resistance:
+zero is no failure).
 """
 
 from __future__ import annotations

@@ -2,22 +2,23 @@
 
 Verifies: weight, point, tension, morison
 
-Hanging line. A stiff heavy line hangs from a point above the water, its lower part in it: the force at its top is its weight less
-the buoyancy of what is below the surface, wherever nodes happen to be. The wet fraction of a section falls linearly across the surface,
-so that a vertical line whose ends are clear of it has exactly the displaced volume below it: 0.2 N of 25 kN are allowed for
-the imbalance that statics accept and for stretching (1e-7).
+Hanging line. A stiff heavy line hangs from a point above the water, its lower part in it: the force at its top is its
+weight less the buoyancy of what is below the surface, wherever nodes happen to be. The wet fraction of a section
+falls linearly across the surface, so that a vertical line whose ends are clear of it has exactly the displaced volume
+below it: 0.2 N of 25 kN are allowed for the imbalance that statics accept and for stretching (1e-7).
 
-Spar. A line of one segment, held at its foot under water, carries a horizontal and a vertical force at its top in the air. With
-the wet part w = D / (L cos a) at a depth D of the foot, moments about the foot (its buoyancy B acts at w L / 2) give
+Spar. A line of one segment, held at its foot under water, carries a horizontal and a vertical force at its top in the
+air. With the wet part w = D / (L cos a) at a depth D of the foot, moments about the foot (its buoyancy B acts at w L
+/ 2) give
 
     (B w^2 / 2 - W / 2 + F) sin a = P cos a
 
-for the angle a to the vertical. The band in which the wet fraction falls, of half height d / 2, adds (d / (2 L cos a))^2 / 3 to
-w^2, some 1e-4: 2e-4 rad are allowed.
+for the angle a to the vertical. The band in which the wet fraction falls, of half height d / 2, adds (d / (2 L cos
+a))^2 / 3 to w^2, some 1e-4: 2e-4 rad are allowed.
 
-Floating line. A line lighter than water lies in the surface with its axis at z = (d / 2)(1 - 2 m / (rho A)), and heaves about it with
-omega^2 = (rho g A / d) / (m + share of the added mass), because the wet fraction falls by 1 / d. (A real cylinder has another
-chord there; the linear law is MoorDyn's.)
+Floating line. A line lighter than water lies in the surface with its axis at z = (d / 2)(1 - 2 m / (rho A)), and
+heaves about it with omega^2 = (rho g A / d) / (m + share of the added mass), because the wet fraction falls by 1 / d.
+(A real cylinder has another chord there; the linear law is MoorDyn's.)
 
 Float. A sphere of half the water's density floats with its centre in the surface and heaves with
 omega^2 = rho g pi R^2 / (m + Ca rho V / 2); with another density it floats where (1 - s)^2 (2 + s) / 4 = m / (rho V).

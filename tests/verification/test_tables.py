@@ -2,15 +2,15 @@
 
 Verifies: tension, table
 
-Pulled. A line without weight between a fixed and a free point that a force F pulls on is stretched by the strain that the table has
-at F, whatever the number of segments: exact, 1e-9.
+Pulled. A line without weight between a fixed and a free point that a force F pulls on is stretched by the strain that
+the table has at F, whatever the number of segments: exact, 1e-9.
 
-Hanging. By its own weight a line of n segments is stretched by sum h e(w (s + h / 2)), e the inverse table; the continuous line
-by the integral. Where the table has a corner the midpoint rule errs by up to w h^2 / 8 times the jump of compliance there, and
-nowhere else: that bound must hold, and the sum be met to 1e-9.
+Hanging. By its own weight a line of n segments is stretched by sum h e(w (s + h / 2)), e the inverse table; the
+continuous line by the integral. Where the table has a corner the midpoint rule errs by up to w h^2 / 8 times the jump
+of compliance there, and nowhere else: that bound must hold, and the sum be met to 1e-9.
 
-Damper. A line of one segment whose end moves at a constant speed V has the tension of the stiffness table at its strain plus that of the
-damper table at V / l: exact, 1e-9, at the end of steps.
+Damper. A line of one segment whose end moves at a constant speed V has the tension of the stiffness table at its
+strain plus that of the damper table at V / l: exact, 1e-9, at the end of steps.
 
 Between rows tables are linear, beyond the last one they go on with its slope, in compression a rope has no tension.
 """

@@ -2,10 +2,11 @@
 
 Verifies: tension, morison, motion, weight, current
 
-A line of 10 segments in water hangs from a moving point with drag, added mass, axial damping and a current; nothing switches
-on or off on the way (no bed, never slack, no node at rest in the water), so that the solution is smooth. On the same grid of
-segments, end tension and the path of a node after 2 s are compared with RK4 at a step of 0.1 ms. The rates must lie within 0.15
-of the order; the implicit result extrapolated to a step of zero (Richardson) must be that of RK4 within 1e-6.
+A line of 10 segments in water hangs from a moving point with drag, added mass, axial damping and a current; nothing
+switches on or off on the way (no bed, never slack, no node at rest in the water), so that the solution is smooth. On
+the same grid of segments, end tension and the path of a node after 2 s are compared with RK4 at a step of 0.1 ms. The
+rates must lie within 0.15 of the order; the implicit result extrapolated to a step of zero (Richardson) must be that
+of RK4 within 1e-6.
 
 Prescribed motion is a cubic spline whose third derivative jumps at its knots: all steps end there.
 """

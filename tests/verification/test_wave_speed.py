@@ -2,16 +2,17 @@
 
 Verifies: tension, morison, motion
 
-A line of 100 m in vacuum without weight is pulled at its end B with the velocity v(t) = V sin^4(pi t / D), 0 < t < D = 0.8 L / c.
-The equation of the bar (d'Alembert) gives for the tension at its ends, before a wave has come back to the pulled end
-(t < 2 L / c) and while only the first has reached the fixed one (t < 3 L / c):
+A line of 100 m in vacuum without weight is pulled at its end B with the velocity v(t) = V sin^4(pi t / D), 0 < t < D
+= 0.8 L / c. The equation of the bar (d'Alembert) gives for the tension at its ends, before a wave has come back to
+the pulled end (t < 2 L / c) and while only the first has reached the fixed one (t < 3 L / c):
 
     T_B(t) = T0 + (EA / c) v(t)        T_A(t) = T0 + 2 (EA / c) v(t - L / c)
 
-(the force of the line on its end objects, with the inertia of half a segment; tension of the last segment lags by h / 2c).
-Segments and steps are refined together, c dt = h / 2. Lumping slows a wave of wave number k by (k h)^2 / 24 and the step of the
-implicit method by about (omega dt)^2 / 24 (1 + ...), both of second order: the error in both tensions must fall at a rate
-within 0.1 of 2, and be below 0.1 % of the rise on 200 segments, 160 of them to the pulse. A bar 2 % too stiff must fail.
+(the force of the line on its end objects, with the inertia of half a segment; tension of the last segment lags by h /
+2c). Segments and steps are refined together, c dt = h / 2. Lumping slows a wave of wave number k by (k h)^2 / 24 and
+the step of the implicit method by about (omega dt)^2 / 24 (1 + ...), both of second order: the error in both tensions
+must fall at a rate within 0.1 of 2, and be below 0.1 % of the rise on 200 segments, 160 of them to the pulse. A bar 2
+% too stiff must fail.
 """
 
 from __future__ import annotations
