@@ -39,7 +39,8 @@ from moorage.solve.march import Block, March, Settings
 from moorage.solve.statics import rest, solve
 from moorage.solve.stiffness import platform_stiffness
 from moorage.streaming import Progress, stream
-from moorage.system.build import Built, build
+from moorage.system.build import Built, build, build_failures
+from moorage.system.holders import timed_failures
 
 VERSION = version("moorage")
 STEEP = np.radians(60.0)  # a clamp's moment grows with the sine of the angle, and falls beyond 90 degrees
@@ -68,7 +69,9 @@ def solve_statics(model: Model) -> xr.Dataset:
     _warn_of_clamps(built)
     block = March(built, Settings(dt_nodes=1.0, watch=watch_list(model)), 0.0).first()
     stiffness = platform_stiffness(built, block["holder_force"][0][built.coupled])
-    attrs = run_attributes(model, None, {"start": "static"}, VERSION) | {"where": equilibrium.where}
+    attrs = run_attributes(model, None, {"start": "static", **friction_in_statics(model)}, VERSION) | {
+        "where": equilibrium.where
+    }
     ds = static_dataset(
         _layout(model, built, "time"), block, stiffness, equilibrium.residual, equilibrium.iterations, attrs
     )
@@ -156,11 +159,12 @@ def simulate(
     if saved is None:
         (solve if chosen["start"] == "static" else rest)(built)
         _warn_of_clamps(built)
-    march = March(built, settings, (rows["time"] - 1) * settings.dt_out)
+    later = build_failures(model, motion, duration)
+    march = March(built, settings, (rows["time"] - 1) * settings.dt_out, later)
     if saved is not None:
         march.restore(saved.state)
     words = {"time_step": time_step or "adaptive", "dt_nodes": settings.dt_nodes or "none"}
-    attrs = run_attributes(model, motion, chosen | words, VERSION)
+    attrs = run_attributes(model, motion, chosen | words | friction_in_statics(model), VERSION)
     if output is None:
         result = stream(march, MemoryResult(layout, attrs), layout, progress)
     else:
@@ -215,6 +219,8 @@ class Simulation:
         _check_settings({**chosen, "method": method}, False, None)
         _accept(model)
         _only_points_are_coupled(model)
+        if timed_failures(model):
+            raise UnsupportedError(Problem("failures come in simulate() only", "remove them", model.failures[0].source))
         self.model = model
         built = build(model)
         self.points = built.names.points[built.coupled]
@@ -304,6 +310,12 @@ def _warn_of_clamps(built: Built) -> None:
                 ModelWarning,
                 stacklevel=3,
             )
+
+
+def friction_in_statics(model: Model) -> dict[str, str]:
+    """Return what statics know of friction, for the record; nothing where there is none."""
+    friction = model.environment.friction
+    return {} if friction is None else {"friction_in_statics": "as laid" if friction.laid else "off"}
 
 
 def _only_points_are_coupled(model: Model) -> None:

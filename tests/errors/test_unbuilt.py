@@ -65,8 +65,8 @@ CASES = {
     "vortex-induced vibration is": _with_type(lift_coefficient=0.8),
     "waves are": _around(waves=Waves(option="WaveKin", value="3", source=AT)),
     "unsteady currents are": _around(waves=Waves(option="Currents", value="2", source=AT)),
-    "failures are": lambda m: dataclasses.replace(
-        m, failures=(Failure(id=1, attachment=m.lines[0].end_a, lines=(1,), source=AT),)
+    "failures at a tension are": lambda m: dataclasses.replace(
+        m, failures=(Failure(id=1, attachment=m.lines[0].end_a, lines=(1,), tension=1e6, source=AT),)
     ),
     "controlled lengths are": _with(controls=(Control(channel=1, lines=(1,), source=AT),)),
     "other channels of rods and bodies than positions are": _with(

@@ -420,7 +420,7 @@ def rubbing(name, axial=0.4, transverse=0.7, ratio=1.0):
     laws = {"saturated": law.SATURATED, "velocity": law.VELOCITY, "elastic": law.ELASTIC, "stick-slip": law.STICK_SLIP}
     return Friction(
         laws[name], axial, transverse, ratio, 1e4 * axial, 1e4 * transverse, 0.05, np.array([2e5]),
-        np.array([300.0 if name == "stick-slip" else 0.0]),
+        np.array([300.0 if name == "stick-slip" else 0.0]), False,
     )  # fmt: skip
 
 

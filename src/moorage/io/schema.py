@@ -62,6 +62,7 @@ SCHEMA: dict[str, dict[str, Key]] = {
         "damping": Key("number", "N s/m", "slope of saturated damping's ramp, for a node and a coefficient of 1"),
         "shear_stiffness": Key("number", "Pa/m", "of the spring that holds a node that sticks, on d l"),
         "velocity": Key("number", "m/s", "at which stick-slip falls, and velocity-dependent friction sticks"),
+        "laid": Key("flag", "-", "statics as laid slack from end A and pulled to place; false: without friction"),
     },
     "bathymetry": {
         "x": Key("numbers", "m", "grid in x, increasing", True),

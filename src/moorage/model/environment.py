@@ -61,6 +61,9 @@ class Friction:
     shear_stiffness : float or None
         Of the spring that holds a node that sticks, Pa/m on d l; by default that of the seabed's normal stiffness, so
         that a line slips after mu times the depth to which it sinks in.
+    laid : bool
+        Whether statics know friction: the line was laid without tension from end A along the bed, and then pulled to
+        its place, so that tension falls from the touchdown towards the anchor. Otherwise statics are without friction.
     velocity : float
         At which stick-slip has lost half of what static friction has above kinetic, or velocity-dependent friction
         reaches its static coefficient, m/s.
@@ -73,6 +76,7 @@ class Friction:
     damping: float = 200.0
     shear_stiffness: float | None = None
     velocity: float = 0.01
+    laid: bool = False
     source: Source | None = field(default=None, compare=False, repr=False)
 
 

@@ -81,7 +81,12 @@ def _waves(model: Model) -> Iterator[Problem]:
 
 def _failures(model: Model) -> Iterator[Problem]:
     for failure in model.failures:
-        yield Problem(f"failure {failure.id}: failures are not simulated yet", "remove it", failure.source)
+        if failure.tension > 0.0:
+            message = f"failure {failure.id}: failures at a tension are not simulated yet"
+            yield Problem(message, "give a time only, and a tension of 0", failure.source, failure.tension)
+        if failure.attachment.kind == "rod":
+            message = f"failure {failure.id}: failures at rods are not simulated yet"
+            yield Problem(message, "tie the line to a point", failure.source)
 
 
 def _controls(model: Model) -> Iterator[Problem]:

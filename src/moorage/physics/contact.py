@@ -4,8 +4,8 @@
 
 On a curved bed this force is no energy's gradient. As written the damper switches on with a jump when a node touches
 the bed, and then some implicit steps have no solution at all. Here the damper acts for the fraction of the step that
-the node spends in contact. That is continuous in the unknown position, needs no regularising depth, and tends to the law
-above as the step goes to zero.
+the node spends in contact. That is continuous in the unknown position, needs no regularising depth, and tends to the
+law above as the step goes to zero.
 """
 
 from __future__ import annotations

@@ -42,6 +42,7 @@ class Friction(NamedTuple):
     velocity: float  # v_s of the laws that fall with speed, m/s
     spring: np.ndarray  # (nodes,) k_s, N/m
     damper: np.ndarray  # (nodes,) of stick-slip, N s/m
+    laid: bool  # statics know friction
 
 
 @inlined

@@ -173,7 +173,6 @@ def start_island(system, state, work, island, t):
         first, last = line_nodes(lines, islands.lines[m])
         for i in range(first, last + 1):
             put(state.auxiliary, i, get(state.acceleration, i))
-            put(state.stuck, i, get(state.position, i))
     for p in range(islands.point_ptr[island], islands.point_ptr[island + 1]):
         row = point_row(lines, islands.points[p])
         put(state.auxiliary, row, get(state.acceleration, row))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from itertools import pairwise
 from typing import NamedTuple
@@ -102,32 +103,63 @@ def stretch_scales(built: Built) -> np.ndarray:
 
 
 class March:
-    """A run of a built system from its present state, at time 0."""
+    """A run of a built system from its present state, at time 0.
 
-    def __init__(self, built: Built, settings: Settings, duration: float):
-        self.built, self.settings, self.duration = built, settings, float(duration)
-        self.control = control_of(settings, built)
-        self.time = 0.0
+    Parameters
+    ----------
+    later : sequence of (time, Built)
+        Systems that take over at later times (s), with the same rows: line ends have come off by then.
+    """
+
+    def __init__(self, built: Built, settings: Settings, duration: float, later: Sequence[tuple[float, Built]] = ()):
+        self.settings, self.duration = settings, float(duration)
+        self._stages = [(0.0, built), *later]
+        self._stage = 0
+        self._counted = np.zeros(3, dtype=np.int64)  # by the stages before
         self._rows = 0  # output times recorded so far, time 0 included
         self._node_rows = 0
-        islands = len(built.system.islands.line_ptr) - 1
+        self._begin(0.0)
+
+    def _begin(self, time: float) -> None:
+        """Start the present stage from the state of its system at a time."""
+        self.time, self.built = time, self._stages[self._stage][1]
+        self.control = control_of(self.settings, self.built)
+        islands = len(self.built.system.islands.line_ptr) - 1
         self.clocks = Clocks(
-            np.zeros(islands),
-            np.zeros(islands),
+            np.full(islands, time),
+            np.full(islands, time),
             np.full(islands, self.control.step),
             np.zeros((islands, 3), dtype=np.int64),
             np.zeros(islands, dtype=np.int64),
             np.full(islands, -1, dtype=np.int64),
         )
-        self.old = new_state(len(built.state.position))
-        start_islands(built.system, built.state, built.work, 0.0)
-        for target, source in zip(self.old, built.state, strict=True):
+        self.old = new_state(len(self.built.state.position))
+        start_islands(self.built.system, self.built.state, self.built.work, time)
+        for target, source in zip(self.old, self.built.state, strict=True):
             target[...] = source
+
+    def _next_stage(self) -> None:
+        """Go on with the next system, in which some line ends have come off: they start from where they are."""
+        before, (time, after) = self.built, self._stages[self._stage + 1]
+        for target, source in zip(after.state, before.state, strict=True):
+            target[...] = source
+        ptr = after.names.node_ptr
+        for line, end in np.argwhere(after.system.lines.end_point != before.system.lines.end_point):
+            row = ptr[line] if end == 0 else ptr[line + 1] - 1
+            for values in after.state:
+                values[ptr[-1] + after.system.lines.end_point[line, end]] = values[row]
+        self._counted += self.clocks.counts.sum(axis=0)
+        self._stage += 1
+        self._begin(time)
+
+    def _stage_end(self) -> float:
+        later = [time for time, _ in self._stages[self._stage + 1 :]]
+        return min([self.duration, *later])
 
     @property
     def counters(self) -> dict[str, int]:
         """Steps, rejected steps and Newton iterations of all islands so far."""
-        steps, rejected, iterations = self.clocks.counts.sum(axis=0)
+        steps, rejected, iterations = self._counted + self.clocks.counts.sum(axis=0)
         return {"steps": int(steps), "rejected": int(rejected), "iterations": int(iterations)}
 
     def first(self) -> Block:
@@ -142,11 +174,18 @@ class March:
         SimulationError
             An island could not go on; `.block` holds the records up to the failure.
         """
-        until = min(float(until), self.duration)
+        until, parts = min(float(until), self.duration), []
+        while self._stage + 1 < len(self._stages) and self._stages[self._stage + 1][0] < until:
+            parts.append(self._advance(self._stage_end()))
+            self._next_stage()
+        parts.append(self._advance(until))
+        return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]} if parts[1:] else parts[0]
+
+    def _advance(self, until: float) -> Block:
         times, node_times = self._times_up_to(until)
         watched = np.array(self.settings.watch, dtype=np.int64).reshape(-1, 2)
         record = new_record(self.built.system, times, node_times, watched)
-        self.run(until, self.duration, record)
+        self.run(until, self._stage_end(), record)
         self.time = until
         self._rows += len(times)
         self._node_rows += len(node_times)
@@ -158,11 +197,16 @@ class March:
         saved |= {f"old_{k}": v.copy() for k, v in zip(self.old._fields, self.old, strict=True)}
         saved |= {f"clock_{k}": v.copy() for k, v in zip(self.clocks._fields, self.clocks, strict=True)}
         saved["leftover"] = self.control.leftover.copy()  # made from the state at time 0
-        saved["march"] = np.array([self.time, self._rows, self._node_rows])
+        saved["counted"] = self._counted.copy()
+        saved["march"] = np.array([self.time, self._rows, self._node_rows, self._stage])
         return saved
 
     def restore(self, saved: Block) -> None:
         """Go back to a checkpoint."""
+        if int(saved["march"][3]) != self._stage:
+            self._stage = int(saved["march"][3])
+            self._begin(float(saved["march"][0]))
+        self._counted[...] = saved["counted"]
         for prefix, target in (("now", self.built.state), ("old", self.old), ("clock", self.clocks)):
             for name, array in zip(target._fields, target, strict=True):
                 array[...] = saved[f"{prefix}_{name}"]

@@ -14,7 +14,7 @@ def place_name(built: Built, row: int) -> str:
         return "an unknown place"
     if row >= names.node_ptr[-1]:
         number = row - names.node_ptr[-1]
-        return f"point {names.points[number]}" if number < len(names.points) else "a free rod"
+        return f"point {names.points[number]}" if number < len(names.points) else "a free rod or a released line end"
     line = int(np.searchsorted(names.node_ptr, row, side="right")) - 1
     node = row - names.node_ptr[line]
     return f"node {node} of {names.node_ptr[line + 1] - names.node_ptr[line] - 1} of line {names.lines[line]}"

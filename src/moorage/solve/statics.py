@@ -7,9 +7,11 @@ from typing import NamedTuple
 import numpy as np
 
 from moorage.errors import ConvergenceError
-from moorage.layout import State, copy_of
+from moorage.layout import State, System, copy_of
+from moorage.physics.friction import ELASTIC, NONE
+from moorage.solve.implicit import stick_island
 from moorage.solve.places import place_name
-from moorage.solve.statics_kernel import descend_island, place_at_rest, relax_island
+from moorage.solve.statics_kernel import descend_island, place_at_rest, relax_island, stick_where_it_is
 from moorage.system.build import Built
 
 QUICK, ITERATIONS = 300, 2000  # of continuation, and then of descent
@@ -54,10 +56,11 @@ def solve(built: Built, tolerance: float | None = None) -> Equilibrium:
     """
     accepted = natural_tolerance(built) if tolerance is None else tolerance
     begin = copy_of(built.state)
-    islands = built.system.islands
+    system, laid = with_static_friction(built.system), built.system.friction.laid
+    islands = system.islands
     worst, where, used, damped = 0.0, -1, 0, 0
     for island in range(len(islands.line_ptr) - 1):
-        given = built.system, built.state, built.work, island, _reach(built, island), accepted
+        given = system, built.state, built.work, island, _reach(built, island), accepted
         force, row, n, d = relax_island(*given, QUICK)
         used, damped = used + n, damped + d
         if not force < accepted:
@@ -77,13 +80,24 @@ def solve(built: Built, tolerance: float | None = None) -> Equilibrium:
             "run settle",
             worst,
         )
+    for island in range(len(islands.line_ptr) - 1):
+        if laid:
+            stick_island(system, built.state, built.state, island)
+        else:
+            stick_where_it_is(system, built.state, island)
     return Equilibrium(worst, place_name(built, where), used, damped, accepted)
+
+
+def with_static_friction(system: System) -> System:
+    """Return a system whose friction is that of statics: none, or springs from where the line was laid."""
+    return system._replace(friction=system.friction._replace(law=ELASTIC if system.friction.laid else NONE))
 
 
 def rest(built: Built) -> None:
     """Attach all line ends at time 0 with everything at rest, without looking for equilibrium."""
     for island in range(len(built.system.islands.line_ptr) - 1):
         place_at_rest(built.system, built.state, built.work, island)
+        stick_where_it_is(built.system, built.state, island)
 
 
 def _put_back(built: Built, island: int, begin: State) -> None:

@@ -41,6 +41,16 @@ def place_at_rest(system, state, work, island):
 
 
 @kernel
+def stick_where_it_is(system, state, island):
+    """Let friction hold the nodes of an island where they are, without force."""
+    lines, islands = system.lines, system.islands
+    for m in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
+        first, last = line_nodes(lines, islands.lines[m])
+        for i in range(first, last + 1):
+            put(state.stuck, i, get(state.position, i))
+
+
+@kernel
 def relax_island(system, state, work, island, reach, tolerance, iterations):
     """Find equilibrium. Returns (largest imbalance in N, its row, iterations, iterations damped by pseudo time).
 

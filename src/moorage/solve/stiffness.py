@@ -17,7 +17,7 @@ from moorage.physics.point import point_terms
 from moorage.solve.line_solve import reduce_line
 from moorage.solve.newton import assemble_island
 from moorage.solve.record import COLUMNS, FORCE_A, MOMENT_A, sample_system
-from moorage.solve.statics import natural_tolerance, solve
+from moorage.solve.statics import natural_tolerance, solve, with_static_friction
 from moorage.system.build import Built
 
 
@@ -75,7 +75,7 @@ def point_stiffness(built: Built) -> np.ndarray:
 
     Rows count the points in the order of the file and then the ends of rods.
     """
-    system, lines = built.system, built.system.lines
+    system, lines = with_static_friction(built.system), built.system.lines
     n, first_row = len(system.points.mass), int(built.names.node_ptr[-1])
     blocks, across = np.zeros((len(lines.bends), 4, 4, 9)), np.zeros((len(system.joints.rule), 9))
     c = Weights(0.0, 0.0, 1.0)

@@ -19,7 +19,7 @@ from moorage.physics.weight import Weight
 from moorage.system.bed import build_bed, build_friction
 from moorage.system.bends import build_bending
 from moorage.system.guess import place_guess
-from moorage.system.holders import Holders, holders_of
+from moorage.system.holders import Holders, holders_of, release, timed_failures
 from moorage.system.segments import NodeSum, segment_table
 from moorage.system.topology import islands_of
 
@@ -46,8 +46,15 @@ class Built(NamedTuple):
     coupled: np.ndarray  # (m,) rows of points and rod ends, counted from the first point, that a motion moves
 
 
-def build(model: Model, motion: Motion | None = None, duration: float | None = None) -> Built:
+def build(
+    model: Model,
+    motion: Motion | None = None,
+    duration: float | None = None,
+    released: frozenset[int] = frozenset(),
+) -> Built:
     """Turn a checked model into arrays, with lines on their first catenary.
+
+    `released` holds the timed failures that have come (places in `timed_failures`).
 
     Raises
     ------
@@ -55,7 +62,8 @@ def build(model: Model, motion: Motion | None = None, duration: float | None = N
         The motion does not fit the model, or is shorter than `duration` (s).
     """
     env = model.environment
-    holders = holders_of(model, motion, duration)
+    model = release(model, released)
+    holders = holders_of(model, motion, duration, released)
     segments = segment_table(model)
     count = np.array([line.segments for line in model.lines], dtype=np.int64)
     node_ptr = np.concatenate([[0], np.cumsum(count + 1)]).astype(np.int64)
@@ -105,6 +113,16 @@ def build(model: Model, motion: Motion | None = None, duration: float | None = N
         arc,
     )
     return Built(system, state, new_work(system), names, island_of_line, np.flatnonzero(holders.coupled))
+
+
+def build_failures(model: Model, motion: Motion | None = None, duration: float | None = None):
+    """Return (time, Built) for each timed failure of a model: the system from then on."""
+    times = [failure.time for failure in timed_failures(model)]
+    return [
+        (time, build(model, motion, duration, frozenset(range(k + 1))))
+        for k, time in enumerate(times)
+        if duration is None or time < duration
+    ]
 
 
 def with_motion(built: Built, tracks: Tracks) -> Built:

@@ -33,6 +33,14 @@ def place_guess(model: Model, system: System, state: State, length, weight) -> N
         if model.environment.bathymetry:
             nodes[1:-1, 2] = np.maximum(nodes[1:-1, 2], [-model.environment.depth_at(x, y) for x, y, _ in nodes[1:-1]])
         state.position[rows[k] : rows[k + 1]] = nodes
+        state.stuck[rows[k] : rows[k + 1]] = laid_slack(nodes, length[part])
+
+
+def laid_slack(nodes, length) -> np.ndarray:
+    """Positions (nodes, 3) along the same way from end A, but with every segment at its unstretched length."""
+    e = np.diff(nodes, axis=0)
+    e *= (length / np.maximum(np.linalg.norm(e, axis=1), 1e-300))[:, None]
+    return np.concatenate([nodes[:1], nodes[0] + np.cumsum(e, axis=0)])
 
 
 def line_guess(a, b, length, stiffness, weight, model: Model) -> np.ndarray:

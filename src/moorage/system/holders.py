@@ -6,11 +6,12 @@ that are fixed or coupled only carry; they need no rows of their own.
 
 from __future__ import annotations
 
+import dataclasses
 from typing import NamedTuple
 
 import numpy as np
 
-from moorage.model import Attachment, Body, Model, Motion, Point, Rod
+from moorage.model import Attachment, Body, Failure, Model, Motion, Point, Rod
 from moorage.model.motion import rotation_matrices
 
 
@@ -26,13 +27,41 @@ class Holders(NamedTuple):
     joints: tuple[int, ...]  # holders that are free rods of no length
 
 
-def holders_of(model: Model, motion: Motion | None, duration: float | None) -> Holders:
+def timed_failures(model: Model) -> list[Failure]:
+    """Return the failures that come at a time, in that order."""
+    return sorted((f for f in model.failures if f.time > 0.0), key=lambda f: f.time)
+
+
+def released_end(k: int) -> Attachment:
+    """Return what stands for the free point of the k-th timed failure."""
+    return Attachment("point", -1 - k)
+
+
+def release(model: Model, released: frozenset[int]) -> Model:
+    """Return the model with the lines of some timed failures (by their places) tied to points of their own."""
+    lines = list(model.lines)
+    for k, failure in enumerate(timed_failures(model)):
+        if k not in released:
+            continue
+        for i, line in enumerate(lines):
+            if line.id in failure.lines:
+                ends = {
+                    name: released_end(k) for name in ("end_a", "end_b") if getattr(line, name) == failure.attachment
+                }
+                lines[i] = dataclasses.replace(line, **ends)  # type: ignore[arg-type]
+    return dataclasses.replace(model, lines=tuple(lines))
+
+
+def holders_of(
+    model: Model, motion: Motion | None, duration: float | None, released: frozenset[int] = frozenset()
+) -> Holders:
     """List the holders of a model, with their motion."""
     bodies = motion.resolve_bodies(model) if motion else {}
     points = motion.resolve(model, duration) if motion else {}
     rods = motion.resolve_rods(model) if motion else {}
     number, rest, free, coupled, moved, directions = {}, [], [], [], {}, {}
     joints: list[int] = []
+    failing = timed_failures(model)
 
     def add(position, is_free, is_coupled, track):
         rest.append(position if track is None else track[0])
@@ -47,6 +76,10 @@ def holders_of(model: Model, motion: Motion | None, duration: float | None) -> H
         on_moved = p.body is not None and _body(model, p.body).kind != "fixed"
         at = add(position, p.kind == "free" and p.body is None, p.kind == "coupled" or on_moved, track)
         number[Attachment("point", p.id)] = at
+    for k, failure in enumerate(failing):
+        # a free point that the lines of a failure take along; until then it stays where they are tied
+        at = number.get(failure.attachment, 0)
+        number[released_end(k)] = add(np.array(rest[at]), k in released, False, None)
     for rod in model.rods:
         at_a, direction = rods.get(rod.id, (None, None))
         on_moved = rod.body is not None and _body(model, rod.body).kind != "fixed"
