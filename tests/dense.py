@@ -8,10 +8,12 @@ from __future__ import annotations
 import numpy as np
 
 from moorage._vec3 import get
-from moorage.layout import State, Weights
+from moorage.layout import State, Weights, copy_of
+from moorage.model import Model
 from moorage.physics.point import point_terms
-from moorage.system.assemble import assemble_line
-from moorage.system.build import Built
+from moorage.solve.newton import assemble_island, solve_island
+from moorage.solve.statics_kernel import place_at_rest
+from moorage.system.build import Built, build
 
 MASS, DAMPING, STIFFNESS = Weights(1.0, 0.0, 0.0), Weights(0.0, 1.0, 0.0), Weights(0.0, 0.0, 1.0)
 
@@ -23,15 +25,16 @@ def full(s) -> np.ndarray:
 
 
 def assembled(built: Built, c: Weights, state: State | None = None, before=None) -> tuple[np.ndarray, np.ndarray]:
-    """Return the matrix (3 nodes, 3 nodes) and the force (nodes, 3) of all lines, ends not joined."""
+    """Return the matrix (3 nodes, 3 nodes) and the force (nodes, 3) of all lines, with joints, ends not merged."""
     system, work = built.system, built.work
     state = built.state if state is None else state
     start = state if before is None else state._replace(position=before)
-    ptr = built.names.node_ptr
+    ptr, joints = built.names.node_ptr, system.joints
     n = int(ptr[-1])
     S = np.zeros((n, 3, n, 3))
+    for island in range(len(system.islands.line_ptr) - 1):
+        assemble_island(system, state, start, work, island, c)
     for k in range(len(ptr) - 1):
-        assemble_line(system, state, start, work, k, c)
         first, last = ptr[k], ptr[k + 1] - 1
         for i in range(first, last + 1):
             S[i, :, i] = full(work.blocks.own[i])
@@ -40,6 +43,10 @@ def assembled(built: Built, c: Weights, state: State | None = None, before=None)
             for i in range(first, last + 1 - reach):
                 S[i + reach, :, i] = blocks[i].reshape(3, 3)
                 S[i, :, i + reach] = blocks[i].reshape(3, 3).T
+    for line, end, block in zip(joints.line, joints.end, work.blocks.joint, strict=True):
+        i, j = np.where(end == 0, ptr[line] + 1, ptr[line + 1] - 2)  # the nodes beside the joint
+        S[j, :, i] += block.reshape(3, 3)
+        S[i, :, j] += block.reshape(3, 3).T
     return S.reshape(3 * n, 3 * n), work.force[:n].copy()
 
 
@@ -82,3 +89,37 @@ def modes(built: Built) -> tuple[np.ndarray, np.ndarray]:
     squares, vectors = np.linalg.eigh(half @ K @ half.T)
     shapes = T @ half.T @ vectors
     return np.sqrt(np.maximum(squares, 0.0)), shapes.reshape(-1, 3, len(squares))
+
+
+def shaken(model: Model, by: float = 0.2) -> Built:
+    """Return a built model with all free rows moved at random, and line ends where their holders are."""
+    built = build(model)
+    random = np.random.default_rng(3)
+    n = built.names.node_ptr[-1]
+    for rows in built.state[:3]:
+        rows += random.normal(0.0, by, rows.shape)
+    islands = built.system.islands
+    for island in range(len(islands.line_ptr) - 1):
+        moved = copy_of(built.state)
+        place_at_rest(built.system, moved, built.work, island)
+        for line in islands.lines[islands.line_ptr[island] : islands.line_ptr[island + 1]]:
+            first, last = built.names.node_ptr[line], built.names.node_ptr[line + 1] - 1
+            built.state.position[[first, last]] = moved.position[[first, last]]
+            for row, holder in zip((first, last), built.system.lines.end_point[line], strict=True):
+                for rows in built.state[1:3]:
+                    rows[row] = rows[n + holder]
+    return built
+
+
+def increments(built: Built, c: Weights) -> np.ndarray:
+    """Return the Newton increments (rows, 3) of all islands, by elimination."""
+    for island in range(len(built.system.islands.line_ptr) - 1):
+        assemble_island(built.system, built.state, built.state, built.work, island, c)
+        solve_island(built.system, built.state, built.work, island, c)
+    return built.work.increment.copy()
+
+
+def dense_increments(built: Built, c: Weights) -> np.ndarray:
+    """Return the same from the full matrix."""
+    A, b, T = reduced(built, c)
+    return (T @ np.linalg.solve(A, b)).reshape(-1, 3) if len(b) else np.zeros_like(built.state.position)

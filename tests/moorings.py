@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from moorage.layout import copy_of
-from moorage.model import Attachment, Curve, Environment, Line, LineType, Model, Motion, Point, Section
+from moorage.model import Attachment, Curve, Environment, Line, LineType, Model, Motion, Point, Rod, RodType, Section
 from moorage.solve.march import Block, March, Settings
 from moorage.solve.statics import rest, solve
 from moorage.system.build import Built, build
@@ -34,10 +34,27 @@ def kind(name: str = "rope", **properties: Any) -> LineType:
     return LineType(name=name, **(defaults | properties))
 
 
-def line(id: int, a: int, b: int, *sections: tuple[str, float, int]) -> Line:
-    """Return a line from point a to point b; each section is (type, length in m, segments)."""
+def line(id: int, a: int | Attachment, b: int | Attachment, *sections: tuple[str, float, int]) -> Line:
+    """Return a line from point a to point b, or a rod's end; each section is (type, length in m, segments)."""
     parts = tuple(Section(line_type=name, length=length, segments=n) for name, length, n in sections)
-    return Line(id=id, sections=parts, end_a=Attachment("point", a), end_b=Attachment("point", b))
+    ends = (hold if isinstance(hold, Attachment) else Attachment("point", hold) for hold in (a, b))
+    return Line(id=id, sections=parts, **dict(zip(("end_a", "end_b"), ends, strict=True)))
+
+
+def clamp(id: int, position, direction) -> Rod:
+    """Return a rod of no length that does not move; it points in a direction (into a line at end B)."""
+    end = tuple(float(x + d) for x, d in zip(position, direction, strict=True))
+    return Rod(id=id, rod_type="clamp", kind="fixed", end_a=tuple(map(float, position)), end_b=end, segments=0)  # type: ignore[arg-type]
+
+
+def joint(id: int, *position: float) -> Rod:
+    """Return a free rod of no length, through which the bending of two cables passes."""
+    return Rod(id=id, rod_type="clamp", kind="free", end_a=position, end_b=position, segments=0)  # type: ignore[arg-type]
+
+
+def held(rod: Rod, end: str) -> Attachment:
+    """Return a hold on end A or B of a rod."""
+    return Attachment("rod", rod.id, end)  # type: ignore[arg-type]
 
 
 def fixed(id: int, *position: float, **properties: Any) -> Point:
@@ -53,12 +70,23 @@ def free(id: int, *position: float, **properties: Any) -> Point:
 
 
 def mooring(
-    types: Iterable[LineType] | LineType, points: Iterable[Point], lines: Iterable[Line], **environment: Any
+    types: Iterable[LineType] | LineType,
+    points: Iterable[Point],
+    lines: Iterable[Line],
+    rods: Iterable[Rod] = (),
+    **environment: Any,
 ) -> Model:
     """Return a model in deep water, unless `environment` says otherwise."""
     kinds = (types,) if isinstance(types, LineType) else tuple(types)
     surroundings = Environment(**({"water_depth": 1e4} | environment))
-    return Model(environment=surroundings, line_types=kinds, lines=tuple(lines), points=tuple(points))
+    return Model(
+        environment=surroundings,
+        line_types=kinds,
+        lines=tuple(lines),
+        points=tuple(points),
+        rod_types=(RodType(name="clamp", diameter=0.1, mass_per_length=0.0),),
+        rods=tuple(rods),
+    )
 
 
 def single(line_type: LineType, length: float, segments: int, a: Point, b: Point, **environment: Any) -> Model:

@@ -7,20 +7,18 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from dense import STIFFNESS, assembled, reduced
-from moorings import CHAIN, coupled, fixed, free, kind, line, mooring, point_forces, statics
+from dense import STIFFNESS, assembled, dense_increments, increments, reduced, shaken
+from moorings import CHAIN, clamp, coupled, fixed, free, held, joint, kind, line, mooring, point_forces, statics
 
 from moorage._jit import kernel
 from moorage.layout import Weights, copy_of, new_work
 from moorage.model import Model
 from moorage.solve.line_solve import assemble_and_reduce, back_substitute, reduce_line, substitute
-from moorage.solve.newton import assemble_island, newton_island, solve_island
+from moorage.solve.newton import newton_island
 from moorage.solve.statics import solve
-from moorage.solve.statics_kernel import place_at_rest
 from moorage.solve.stiffness import condense_island, coupled_stiffness, platform_stiffness
 from moorage.system.assemble import assemble_line
 from moorage.system.attach import copy_free_ends
-from moorage.system.build import Built, build
 
 STEP = Weights(1.0, 0.03, 9e-4)
 PROPERTIES = {
@@ -38,8 +36,13 @@ def topologies() -> dict[str, Model]:
     m, m2 = free(4, 8.0, 1.0, -17.0, **MASS), free(5, 11.0, 2.0, -15.0, **MASS)
     loose = free(5, 8.0, 1.0, -27.0)
 
-    def of(points, *lines):
-        return mooring((ROPE, CABLE), points, lines, water_depth=19.9)
+    foot = clamp(1, (0.0, 0.0, -20.0), (0.3, 0.1, 1.0))
+    top = clamp(2, (16.0, 2.0, -12.0), (0.0, 0.2, 1.0))
+    j1, j2, pin = joint(3, 8.0, 1.0, -17.0), joint(4, 11.0, 1.5, -15.0), joint(5, 8.0, 1.0, -17.0)
+    A, B = held(foot, "B"), held(top, "A")
+
+    def of(points, *lines, rods=()):
+        return mooring((ROPE, CABLE), points, lines, rods, water_depth=19.9)
 
     return {
         "ends held": of((a, b), line(1, 1, 2, ("rope", 15.0, 7))),
@@ -58,6 +61,16 @@ def topologies() -> dict[str, Model]:
         "two segments": of((a, m), line(1, 4, 1, ("rope", 8.0, 2))),
         "two segments, bent": of((a, m), line(1, 4, 1, ("cable", 8.0, 2))),
         "two islands": of((a, b, c, m), line(1, 1, 2, ("rope", 15.0, 5)), line(2, 4, 3, ("cable", 9.0, 5))),
+        "clamped at both ends": of((), line(1, A, B, ("cable", 19.0, 8)), rods=(foot, top)),
+        "clamped and free": of((m,), line(1, A, 4, ("cable", 10.0, 6)), line(2, 4, B, ("cable", 10.0, 3)), rods=(foot, top)),
+        "joined cables": of((), line(1, A, held(j1, "A"), ("cable", 9.0, 5)), line(2, held(j1, "B"), B, ("cable", 10.0, 6)),
+                            rods=(foot, top, j1)),
+        "joined, turned round": of((a, b), line(1, held(j1, "A"), 1, ("cable", 9.0, 4)), line(2, 2, held(j1, "A"), ("cable", 10.0, 4)),
+                                   rods=(j1,)),
+        "two joints": of((a,), line(1, 1, held(j1, "A"), ("cable", 9.0, 3)), line(2, held(j2, "A"), held(j1, "B"), ("cable", 4.0, 4)),
+                         line(3, held(j2, "B"), B, ("cable", 7.0, 3)), rods=(top, j1, j2)),
+        "joint with a rope on it": of((b, c), line(1, A, held(pin, "A"), ("cable", 9.0, 4)), line(2, held(pin, "B"), 2, ("cable", 9.0, 4)),
+                                      line(3, 3, held(pin, "A"), ("rope", 9.0, 3)), rods=(foot, pin)),
         "a point by itself": of((a, b, m), line(1, 1, 2, ("rope", 15.0, 4))),
     }  # fmt: skip
 
@@ -65,41 +78,31 @@ def topologies() -> dict[str, Model]:
 TOPOLOGIES = topologies()
 
 
-def shaken(model: Model) -> Built:
-    """A built model with all free rows moved at random, and ends where their points are."""
-    built = build(model)
-    random = np.random.default_rng(3)
-    n = built.names.node_ptr[-1]
-    for rows in built.state[:3]:
-        rows += random.normal(0.0, 0.2, rows.shape)
-    islands = built.system.islands
-    for island in range(len(islands.line_ptr) - 1):
-        moved = copy_of(built.state)
-        place_at_rest(built.system, moved, built.work, island)
-        for line_ in islands.lines[islands.line_ptr[island] : islands.line_ptr[island + 1]]:
-            first, last = built.names.node_ptr[line_], built.names.node_ptr[line_ + 1] - 1
-            built.state.position[[first, last]] = moved.position[[first, last]]
-            for row, point in zip((first, last), built.system.lines.end_point[line_], strict=True):
-                for rows in built.state[1:3]:
-                    rows[row] = rows[n + point]
-    return built
-
-
-def increments(built: Built, c: Weights) -> np.ndarray:
-    for island in range(len(built.system.islands.line_ptr) - 1):
-        assemble_island(built.system, built.state, built.state, built.work, island, c)
-        solve_island(built.system, built.state, built.work, island, c)
-    return built.work.increment.copy()
-
-
 @pytest.mark.parametrize("name", TOPOLOGIES)
 @pytest.mark.parametrize("c", [STEP, Weights(1.0, 0.0, 0.0), Weights(1.0, 0.5, 0.5)])
 def test_condensed_increment_is_the_dense_one(name, c):
     built = shaken(TOPOLOGIES[name])
-    A, b, T = reduced(built, c)
-    x = (T @ np.linalg.solve(A, b)).reshape(-1, 3) if len(b) else np.zeros_like(built.state.position)
+    x = dense_increments(built, c)
     used = np.concatenate([np.arange(built.names.node_ptr[-1]), built.names.node_ptr[-1] + built.system.islands.points])
     assert np.abs(increments(built, c) - x)[used].max() <= 1e-9 * max(np.abs(x).max(), 1e-300)
+
+
+@pytest.mark.parametrize("name", [name for name in TOPOLOGIES if "join" in name or "clamp" in name or "bridle" in name])
+def test_matrix_of_joined_lines_is_the_derivative_of_their_forces(name):
+    """Hinges of joints and clamps included, in the unknowns that line ends share (central differences, 1e-6 m)."""
+    built = shaken(TOPOLOGIES[name], 0.05)
+    for rows in built.state[1:]:
+        rows[...] = 0.0
+    K, _, T = reduced(built, STIFFNESS)
+    D = np.zeros_like(K)
+    for k in range(len(K)):
+        sides = []
+        for sign in (1.0, -1.0):
+            moved = copy_of(built.state)
+            moved.position[...] += sign * 1e-6 * T[:, k].reshape(-1, 3)
+            sides.append(reduced(built._replace(state=moved), STIFFNESS)[1])
+        D[:, k] = -(sides[0] - sides[1]) / 2e-6
+    assert np.abs(K - D).max() < 1e-6 * np.abs(D).max()
 
 
 @kernel
@@ -113,6 +116,7 @@ def test_newton_in_one_walk_is_newton_step_by_step(name):
     built = shaken(TOPOLOGIES[name])
     expected = increments(built, STEP)
     other = built._replace(work=new_work(built.system))
+    other.work.direction[...] = built.work.direction
     for island in range(len(built.system.islands.line_ptr) - 1):
         newton(other.system, other.state, other.state, other.work, island, STEP)
     assert np.abs(other.work.increment - expected).max() <= 1e-12 * max(np.abs(expected).max(), 1e-300)

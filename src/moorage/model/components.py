@@ -282,9 +282,9 @@ class Rod:
 
     @property
     def direction(self) -> tuple[float, float, float]:
-        """Unit vector from end A towards end B, in the axes in which the rod is described."""
+        """Unit vector from end A towards end B, in the axes in which the rod is described; zero for a joint."""
         a, b = self.end_a, self.end_b
-        size = math.dist(a, b)
+        size = math.dist(a, b) or 1.0
         return (b[0] - a[0]) / size, (b[1] - a[1]) / size, (b[2] - a[2]) / size
 
 
