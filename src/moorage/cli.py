@@ -209,7 +209,7 @@ def plot(
     result: ResultFile,
     output: Annotated[Path | None, typer.Option("-o", metavar="PNG", help="Picture (default: RESULT.png).")] = None,
 ) -> None:
-    """Draw fairlead tensions over time and the profile of each mooring."""
+    """Draw tensions over time, the profile of each mooring, and tension and curvature along each cable."""
     picture = result.with_suffix(".png") if output is None else output
     moorage.plot.save_figure(moorage.open_result(result), picture)
     console.out.print(f"figure {picture}", markup=False, soft_wrap=True)

@@ -33,7 +33,7 @@ from moorage.results import (
     warn_of_tight_bends,
     watch_list,
 )
-from moorage.solve.clamps import clamp_angles
+from moorage.solve.clamps import warn_of_clamps
 from moorage.solve.host import HostMarch
 from moorage.solve.march import Block, March, Settings
 from moorage.solve.statics import rest, solve
@@ -43,7 +43,6 @@ from moorage.system.build import Built, build, build_failures
 from moorage.system.holders import timed_failures
 
 VERSION = version("moorage")
-STEEP = np.radians(60.0)  # a clamp's moment grows with the sine of the angle, and falls beyond 90 degrees
 
 
 def solve_statics(model: Model) -> xr.Dataset:
@@ -66,7 +65,7 @@ def solve_statics(model: Model) -> xr.Dataset:
     _accept(model)
     built = build(model)
     equilibrium = solve(built)
-    _warn_of_clamps(built)
+    warn_of_clamps(built)
     block = March(built, Settings(dt_nodes=1.0, watch=watch_list(model)), 0.0).first()
     stiffness = platform_stiffness(built, block["holder_force"][0][built.coupled])
     attrs = run_attributes(model, None, {"start": "static", **friction_in_statics(model)}, VERSION) | {
@@ -158,7 +157,7 @@ def simulate(
     saved = load_checkpoint(Path(output), mark, VERSION) if resume and output else None
     if saved is None:
         (solve if chosen["start"] == "static" else rest)(built)
-        _warn_of_clamps(built)
+        warn_of_clamps(built)
     later = build_failures(model, motion, duration)
     march = March(built, settings, (rows["time"] - 1) * settings.dt_out, later)
     if saved is not None:
@@ -298,24 +297,6 @@ def _accept(model: Model) -> None:
         warnings.warn(f"{model.file}: options that are not used here: {names}", ModelWarning, stacklevel=3)
     for problem in suspicious(model):
         warnings.warn(str(problem), ModelWarning, stacklevel=3)
-
-
-def _warn_of_clamps(built: Built) -> None:
-    """Warn of lines that leave their clamps far off their direction, where a clamp is no spring any more."""
-    for line, end, angle in clamp_angles(built):
-        if angle > STEEP:
-            warnings.warn(
-                f"line {line} leaves the rod that clamps its end {end} at {np.degrees(angle):.0f} degrees: it is "
-                "tied to the wrong end of the rod, or its segments are too long there",
-                ModelWarning,
-                stacklevel=3,
-            )
-
-
-def friction_in_statics(model: Model) -> dict[str, str]:
-    """Return what statics know of friction, for the record; nothing where there is none."""
-    friction = model.environment.friction
-    return {} if friction is None else {"friction_in_statics": "as laid" if friction.laid else "off"}
 
 
 def _only_points_are_coupled(model: Model) -> None:

@@ -55,7 +55,7 @@ _TABLE = (
     Variable("segment_arc_length", "s_m", ("segment",), "m", "unstretched arc length of a segment's middle from end A"),
     Variable("node_line", "", ("node",), "1", "id of the line that a node belongs to"),
     Variable("segment_line", "", ("segment",), "1", "id of the line that a segment belongs to"),
-    Variable("segment_type", "", ("segment",), "1", "name of the line type of a segment"),
+    Variable("outer_diameter", "", ("segment",), "m", "of a segment, with modules and stiffeners"),
     Variable("bending_stiffness", "EI", ("segment",), "N m2", "of a segment, stiffeners included; of tables: at first"),
     Variable("allowed_bend_radius", "R_0", ("node",), "m", "smallest radius that the line types allow, 0: any"),
     Variable("unstretched_length", "l", ("segment",), "m", "unstretched length of a segment"),

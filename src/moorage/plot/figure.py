@@ -1,46 +1,38 @@
-"""The figure of a run: tensions over time, and how each mooring hangs."""
+"""The figure of a run: tensions over time, how each mooring hangs, and what acts along each cable."""
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
+from functools import partial
 from pathlib import Path
 
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.gridspec import SubplotSpec
 
-from moorage.plot.moorings import moorings
+from moorage.plot.along import plot_along
+from moorage.plot.moorings import moorings, name_of
 from moorage.plot.profile import plot_plan, plot_profile, plot_profiles
 from moorage.plot.style import new_figure
 from moorage.plot.tension import plot_tension
+from moorage.results.cables import cables
 
 COLUMNS = 3
 MOST = 6  # more moorings than this are drawn together
+WIDTH, TALL, LOW = 10.0, 3.4, 3.0  # inches
+
+Band = tuple[float, Callable[[Figure, SubplotSpec], object]]  # a height, and what draws there
 
 
 def result_figure(ds: xr.Dataset) -> Figure:
-    """Return the figure of a result: what it holds of tensions over time and of profiles."""
-    groups = moorings(ds) if "node_position" in ds else []
-    many = len(groups) > MOST
-    columns = 2 if many else max(1, min(COLUMNS, len(groups)))
-    rows = 1 if many else -(-len(groups) // columns)
-    over_time = "time" in ds["fairlead_tension"].dims
-    figure = new_figure(10.0, 3.4 * over_time + 3.0 * rows)
-    grid = figure.add_gridspec(over_time + rows, columns)
-    if over_time:
-        plot_tension(ds, figure.add_subplot(grid[0, :]))
-    if many:
-        plot_profiles(ds, groups, figure.add_subplot(grid[-1, 0])).set_title("at time 0", fontsize=9, loc="left")
-        _legend(plot_plan(ds, figure.add_subplot(grid[-1, 1])))
-        return figure
-    first = None
-    for k, group in enumerate(groups):
-        ax = figure.add_subplot(grid[over_time + k // columns, k % columns], sharex=first, sharey=first)
-        plot_profile(ds, group, ax)
-        ax.set_title(_name(group), fontsize=9, loc="left")
-        ax.label_outer()
-        if k == 0 or len(group) > 1:
-            _legend(ax)
-        first = first or ax
+    """Return the figure of a result: what it holds of tensions over time, of profiles, and along cables."""
+    bands = list(_bands(ds))
+    heights = [height for height, _ in bands]
+    figure = new_figure(WIDTH, sum(heights))
+    grid = figure.add_gridspec(len(bands), 1, height_ratios=heights)
+    for k, (_, draw) in enumerate(bands):
+        draw(figure, grid[k, 0])
     return figure
 
 
@@ -49,10 +41,56 @@ def save_figure(ds: xr.Dataset, path: str | Path) -> None:
     result_figure(ds).savefig(path)
 
 
+def _bands(ds: xr.Dataset) -> Iterator[Band]:
+    """Yield what a figure shows, from its top to its bottom."""
+    groups = moorings(ds) if "node_position" in ds else []
+    if "time" in ds["fairlead_tension"].dims:
+        yield TALL, lambda figure, cell: plot_tension(ds, figure.add_subplot(cell))
+    if len(groups) > MOST:
+        yield LOW, partial(_together, ds, groups)
+        return
+    stiff = [list(cable.lines) for cable in cables(ds)] if groups else []
+    for group in groups:
+        own = [lines for lines in stiff if set(lines) <= set(group)]
+        if own:
+            yield LOW, partial(_grid, ds, [group])
+        for lines in own:
+            yield LOW, partial(_along, ds, lines)
+    plain = [group for group in groups if not any(set(lines) <= set(group) for lines in stiff)]
+    if plain:
+        yield -(-len(plain) // COLUMNS) * LOW, partial(_grid, ds, plain)
+
+
+def _together(ds: xr.Dataset, groups: list[list[int]], figure: Figure, cell: SubplotSpec) -> None:
+    """Draw many moorings at time 0, from the side and from above."""
+    grid = cell.subgridspec(1, 2)
+    plot_profiles(ds, groups, figure.add_subplot(grid[0, 0])).set_title("at time 0", fontsize=9, loc="left")
+    _legend(plot_plan(ds, figure.add_subplot(grid[0, 1])))
+
+
+def _grid(ds: xr.Dataset, groups: list[list[int]], figure: Figure, cell: SubplotSpec) -> None:
+    """Draw the profiles of moorings to one scale."""
+    columns = min(COLUMNS, len(groups))
+    grid, first = cell.subgridspec(-(-len(groups) // columns), columns), None
+    for k, group in enumerate(groups):
+        ax = figure.add_subplot(grid[k // columns, k % columns], sharex=first, sharey=first)
+        plot_profile(ds, group, ax)
+        ax.set_title(name_of(group), fontsize=9, loc="left")
+        ax.label_outer()
+        if k == 0 or len(group) > 1:
+            _legend(ax)
+        first = first or ax
+
+
+def _along(ds: xr.Dataset, lines: list[int], figure: Figure, cell: SubplotSpec) -> None:
+    """Draw tension and curvature along a cable."""
+    grid = cell.subgridspec(1, 2)
+    for k, variable in enumerate(("segment_tension", "curvature")):
+        ax = plot_along(ds, lines, figure.add_subplot(grid[0, k]), variable)
+        ax.set_title(f"along {name_of(lines)}", fontsize=9, loc="left")
+        _legend(ax)
+
+
 def _legend(ax: Axes) -> None:
     """Put the legend above the axes, where it covers nothing."""
     ax.legend(loc="lower right", bbox_to_anchor=(1.02, 1.0), ncols=4, frameon=False, fontsize=8, borderpad=0.2)
-
-
-def _name(group: list[int]) -> str:
-    return f"line {group[0]}" if len(group) == 1 else "lines " + ", ".join(map(str, group))

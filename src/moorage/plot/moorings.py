@@ -1,17 +1,22 @@
-"""Lines that free points join into one mooring, in the order from anchor to fairlead."""
+"""Lines that free points and free rods join into one mooring, and what is drawn of them as one."""
 
 from __future__ import annotations
+
+from collections.abc import Iterable
 
 import numpy as np
 import xarray as xr
 
+from moorage.results.cables import cables, end_objects
+
 
 def moorings(ds: xr.Dataset) -> list[list[int]]:
-    """Return groups of line ids that hang together at free points, in the order of the file."""
-    free = {int(id) for id, kind in zip(ds["point"].values, ds["point_kind"].values, strict=True) if kind == "free"}
-    groups: list[tuple[set[int], list[int]]] = []
-    for id, *ends in zip(ds["line"].values, ds["end_a"].values, ds["end_b"].values, strict=True):
-        joints, lines = {int(end) for end in ends} & free, [int(id)]
+    """Return groups of line ids that hang together at free points or rods, in the order of the file."""
+    objects = end_objects(ds)
+    groups: list[tuple[set[tuple[str, int]], list[int]]] = []
+    for k, id in enumerate(ds["line"].values):
+        joints = {objects[k, end] for end in (0, 1) if objects[k, end][0].startswith("free")}
+        lines = [int(id)]
         for group in [g for g in groups if g[0] & joints]:
             groups.remove(group)
             joints, lines = joints | group[0], group[1] + lines
@@ -19,9 +24,25 @@ def moorings(ds: xr.Dataset) -> list[list[int]]:
     return sorted((sorted(lines) for _, lines in groups), key=lambda lines: lines[0])
 
 
-def held_ends(ds: xr.Dataset, lines: list[int]) -> list[int]:
-    """Return the ids of the points that hold a mooring, those that move (coupled) first."""
-    kind = dict(zip(ds["point"].values.tolist(), ds["point_kind"].values.tolist(), strict=True))
-    chosen = np.isin(ds["line"].values, lines)
-    ends = dict.fromkeys(np.stack([ds["end_b"].values[chosen], ds["end_a"].values[chosen]]).ravel().tolist())
-    return sorted((end for end in ends if kind[end] != "free"), key=lambda end: kind[end] != "coupled")
+def strands(ds: xr.Dataset, lines: list[int]) -> list[list[int]]:
+    """Return the parts of a mooring that are drawn as one: its cables, and its other lines."""
+    whole = [list(cable.lines) for cable in cables(ds) if set(cable.lines) <= set(lines)]
+    taken = {id for cable in whole for id in cable}
+    return sorted(whole + [[id] for id in lines if id not in taken], key=min)
+
+
+def only_cables(ds: xr.Dataset, lines: Iterable[int]) -> bool:
+    """Return whether all of these lines are parts of cables."""
+    return set(lines) <= {id for cable in cables(ds) for id in cable.lines}
+
+
+def name_of(lines: list[int]) -> str:
+    """Return what a mooring or cable is called in pictures."""
+    return f"line {lines[0]}" if len(lines) == 1 else "lines " + ", ".join(map(str, lines))
+
+
+def held_ends(ds: xr.Dataset, lines: list[int]) -> list[tuple[int, int]]:
+    """Return the ends (index of the line, 0 for A, 1 for B) by which a mooring is held, those that move first."""
+    objects, chosen = end_objects(ds), np.flatnonzero(np.isin(ds["line"].values, lines))
+    ends = [(int(k), end) for end in (1, 0) for k in chosen if not objects[int(k), end][0].startswith("free")]
+    return sorted(ends, key=lambda end: not objects[end][0].startswith("coupled"))

@@ -7,32 +7,40 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
 
-from moorage.plot.moorings import held_ends
+from moorage.plot.moorings import held_ends, name_of, only_cables, strands
 from moorage.plot.style import COLOURS, QUIET, SEABED, WATER, plain
+from moorage.results.cables import Cable, cables, strand
 
 SHADOWS = 200  # instants whose shapes make the envelope
+THIN, THICK = 1.3, 4.5  # points; the thickest segments of a cable are drawn as wide as that
 
 
 def plot_profile(ds: xr.Dataset, lines: list[int], ax: Axes) -> Axes:
     """Draw a mooring of one or more lines: its shape at time 0 over the shapes that it takes during the run.
 
-    The horizontal axis is the distance from the (moving) end at time 0 towards the other end, m.
+    The horizontal axis is the distance from the (moving) end at time 0 towards the other end, m. Lines that are one
+    cable are drawn as one, wider where modules and stiffeners are.
     """
     origin, direction = _plane(ds, lines)
     start = "static" if ds.attrs["start"] == "static" else "at time 0"
-    for k, id in enumerate(lines):
-        nodes, colour = _shapes(ds, id), COLOURS[k % len(COLOURS)]
+    parts = strands(ds, lines)
+    alone = len(parts) == 1
+    for k, part in enumerate(parts):
+        cable, colour = strand(ds, part), COLOURS[k % len(COLOURS)]
+        nodes = _shapes(ds, cable.nodes[::-1])
         shapes = np.stack([(nodes[..., :2] - origin) @ direction, nodes[..., 2]], axis=-1)
         if len(shapes) > 1:
             ax.add_collection(LineCollection(list(shapes), colors=colour, linewidths=0.8, alpha=0.12, zorder=2))
         x, z = shapes[0].T
-        alone = len(lines) == 1
-        ax.plot(x, z, color="black" if alone else colour, lw=1.3, zorder=3, label=start if alone else f"line {id}")
+        ink = "black" if alone else colour
+        ax.plot(x, z, color=ink, lw=THIN, zorder=3, label=start if alone else name_of(part))
+        _thicken(ds, ax, cable, shapes[0][::-1], ink)
         ax.plot(x[[0, -1]], z[[0, -1]], "o", color="black", markersize=3, zorder=4)
     if len(shapes) > 1:
         ax.plot([], [], color=colour if alone else QUIET, linewidth=4, alpha=0.4, label="during the run")
+    _mark_touchdown(ds, lines, ax, origin, direction)
     ax.autoscale_view()
-    return _finish(ds, ax)
+    return _finish(ds, ax, "hang-off" if only_cables(ds, lines) else None)
 
 
 def plot_profiles(ds: xr.Dataset, groups: list[list[int]], ax: Axes) -> Axes:
@@ -63,22 +71,45 @@ def plot_plan(ds: xr.Dataset, ax: Axes) -> Axes:
     return ax
 
 
+def _thicken(ds: xr.Dataset, ax: Axes, cable: Cable, shape: np.ndarray, colour: str) -> None:
+    """Draw the segments of a cable (nodes, 2) that are thicker than others as wide as they are."""
+    if "outer_diameter" not in ds.coords:
+        return
+    diameter = ds["outer_diameter"].values[cable.segments]
+    spans = np.stack([shape[:-1], shape[1:]], axis=1)[np.diff(cable.distance) > 0.0]  # joints have two nodes
+    excess = (diameter - diameter.min()) / max(float(np.ptp(diameter)), 1e-9)
+    thick = excess > 0.02
+    widths = THIN + (THICK - THIN) * excess[thick]
+    ax.add_collection(LineCollection(list(spans[thick]), colors=colour, linewidths=widths, capstyle="round", zorder=3))
+
+
+def _mark_touchdown(ds: xr.Dataset, lines: list[int], ax: Axes, origin: np.ndarray, direction: np.ndarray) -> None:
+    """Mark where cables meet the bed at time 0."""
+    stiff = [id for cable in cables(ds) for id in cable.lines if id in lines]
+    if not stiff:
+        return
+    history = ds["touchdown_position"].sel(line=stiff)
+    spots = (history[0] if history.ndim == 3 else history).values
+    spots = spots[np.isfinite(spots[:, 0])]
+    if len(spots):
+        x = (spots[:, :2] - origin) @ direction
+        ax.plot(x, spots[:, 2], "^", color="black", markersize=5, zorder=4, label="touchdown")
+
+
 def _plane(ds: xr.Dataset, lines: list[int]) -> tuple[np.ndarray, np.ndarray]:
     """Return a horizontal origin and unit vector: from the moving end to the end that is farthest from it."""
-    position = _at_start(ds["point_position"])
-    ends = [position.sel(point=end).values[:2] for end in held_ends(ds, lines)]
-    if not ends:
-        nodes = _starts(ds)[lines[0]]
-        ends = [nodes[-1, :2], nodes[0, :2]]
+    starts, ids = _starts(ds), ds["line"].values
+    held = held_ends(ds, lines) or [(int(np.flatnonzero(ids == lines[0])[0]), end) for end in (1, 0)]
+    ends = [starts[int(ids[line])][-1 if end else 0, :2] for line, end in held]
     spans = [end - ends[0] for end in ends]
     span = max(spans, key=lambda s: float(np.hypot(*s)))
     length = float(np.hypot(*span))
     return ends[0], span / length if length > 0.0 else np.array([1.0, 0.0])
 
 
-def _shapes(ds: xr.Dataset, id: int) -> np.ndarray:
-    """Return shapes of a line (m, nodes, 3): the first, and at most `SHADOWS` later ones."""
-    nodes = ds["node_position"].isel(node=np.flatnonzero(ds["node_line"].values == id))
+def _shapes(ds: xr.Dataset, rows: np.ndarray) -> np.ndarray:
+    """Return shapes of nodes (m, nodes, 3): the first, and at most `SHADOWS` later ones."""
+    nodes = ds["node_position"].isel(node=rows)
     if nodes.ndim == 2:
         return nodes.values[None]
     step = max(1, -(-nodes.shape[0] // SHADOWS))
@@ -98,7 +129,7 @@ def _at_start(values: xr.DataArray) -> xr.DataArray:
     return values.isel(time=0) if "time" in values.dims else values
 
 
-def _finish(ds: xr.Dataset, ax: Axes) -> Axes:
+def _finish(ds: xr.Dataset, ax: Axes, end: str | None = None) -> Axes:
     """Draw the still water level and the seabed, and label the axes."""
     depth = float(ds.attrs["water_depth"])
     ax.axhline(0.0, color=WATER, linewidth=1.2, zorder=1)
@@ -106,7 +137,8 @@ def _finish(ds: xr.Dataset, ax: Axes) -> Axes:
     ax.axhline(-depth, color=SEABED, linewidth=1.2, zorder=1)
     ax.set_ylim(-1.06 * depth, max(0.08 * depth, ax.get_ylim()[1]))
     plain(ax)
-    end = "fairlead" if "coupled" in ds["point_kind"].values else "end"
+    kinds = [*ds["end_a_kind"].values, *ds["end_b_kind"].values]
+    end = end or ("fairlead" if any(kind.startswith("coupled") for kind in kinds) else "end")
     ax.set_xlabel(f"distance from the {end} (m)", fontsize=9)
     ax.set_ylabel("z (m)", fontsize=9)
     return ax

@@ -31,7 +31,7 @@ HISTORIES = (
     "touchdown_position",
     "touchdown_arc_length",
 )
-COORDINATES = ("segment_type", "bending_stiffness", "allowed_bend_radius")
+COORDINATES = ("outer_diameter", "bending_stiffness", "allowed_bend_radius")
 UTILISATION, ALLOWED = "bend_utilisation", "allowed_bend_radius"  # only where a line type has an allowed radius
 TOUCH = 1e-6  # m; a node that just touches counts as on the bed, as for the grounded length
 

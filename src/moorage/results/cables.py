@@ -5,10 +5,13 @@ Lines that are joined by free rods of no length, or by free points, are one cabl
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
+
+from moorage.errors import Problem, ResultError
 
 ENDS = ("A", "B")
 End = tuple[int, int]  # index of a line, and 0 for its end A, 1 for B
@@ -38,11 +41,23 @@ def cables(ds: xr.Dataset) -> list[Cable]:
     if "bending_stiffness" not in ds.coords:
         return []
     stiff = np.unique(ds["segment_line"].values[ds["bending_stiffness"].values > 0.0])
-    open_ends = _chains({k for k, id in enumerate(ds["line"].values) if id in stiff}, _objects(ds))
+    open_ends = _chains({k for k, id in enumerate(ds["line"].values) if id in stiff}, end_objects(ds))
     return sorted((_cable(ds, chain) for chain in open_ends), key=lambda cable: min(cable.lines))
 
 
-def _objects(ds: xr.Dataset) -> dict[End, tuple[str, int]]:
+def strand(ds: xr.Dataset, lines: Sequence[int]) -> Cable:
+    """Return lines as a cable: one that is a cable of the result, or a single line, from its upper or moved end on."""
+    for cable in cables(ds):
+        if set(cable.lines) == set(lines):
+            return cable
+    if len(lines) != 1:
+        raise ResultError(
+            Problem("these lines are not one cable", "name the lines of a cable, or one line", value=lines)
+        )
+    return _cable(ds, [(int(np.flatnonzero(ds["line"].values == lines[0])[0]), 0)])
+
+
+def end_objects(ds: xr.Dataset) -> dict[End, tuple[str, int]]:
     """Return what every line end is held by: kind and id."""
     return {
         (k, end): (str(kind), int(id))

@@ -30,8 +30,10 @@ class Index:
         "fixed", "coupled" or "free"; of a point on a body, that of the body.
     node_line, arc_length, allowed_bend_radius : (nodes,)
         Line id, unstretched length from end A, m, and the largest of the radii that the line types beside allow, m.
-    segment_line, segment_arc_length, unstretched_length, segment_type, bending_stiffness : (segments,)
-        Line id, unstretched length from end A to the middle, and of the segment, m; line type, and EI, N m2.
+    segment_line, segment_arc_length, unstretched_length : (segments,)
+        Line id, unstretched length from end A to the middle, and of the segment, m.
+    outer_diameter, bending_stiffness : (segments,)
+        With modules and stiffeners, m and N m2.
     """
 
     line: np.ndarray
@@ -47,7 +49,7 @@ class Index:
     segment_line: np.ndarray
     segment_arc_length: np.ndarray
     unstretched_length: np.ndarray
-    segment_type: np.ndarray
+    outer_diameter: np.ndarray
     bending_stiffness: np.ndarray
 
     @property
@@ -69,10 +71,9 @@ class Index:
 def make_index(model: Model, names: Names) -> Index:
     """Label the arrays of a built model."""
     starts = np.delete(names.arc_length, names.node_ptr[1:] - 1)  # a segment begins at every node but the last
-    holders = _holders(model)
+    holders, segments = _holders(model), segment_table(model)
     sections = [section for line in model.lines for section in line.sections]
-    types = [model.line_type(section.line_type) for section in sections]
-    counts = [section.segments for section in sections]
+    allowed = [model.line_type(section.line_type).minimum_bend_radius or 0.0 for section in sections]
     return Index(
         line=names.lines,
         point=names.points,
@@ -83,12 +84,12 @@ def make_index(model: Model, names: Names) -> Index:
         point_kind=np.array([holders["point", point.id] for point in model.points], dtype=object),
         node_line=np.repeat(names.lines, np.diff(names.node_ptr)),
         arc_length=names.arc_length,
-        allowed_bend_radius=_at_nodes(np.repeat([t.minimum_bend_radius or 0.0 for t in types], counts), names),
+        allowed_bend_radius=_at_nodes(np.repeat(allowed, [section.segments for section in sections]), names),
         segment_line=np.repeat(names.lines, np.diff(names.segment_ptr)),
         segment_arc_length=starts + 0.5 * names.segment_length,
         unstretched_length=names.segment_length,
-        segment_type=np.repeat(np.array([t.name for t in types], dtype=object), counts),
-        bending_stiffness=np.ascontiguousarray(segment_table(model)["bending_stiffness"]),
+        outer_diameter=np.ascontiguousarray(segments["diameter"]),
+        bending_stiffness=np.ascontiguousarray(segments["bending_stiffness"]),
     )
 
 

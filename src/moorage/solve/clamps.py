@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import warnings
 from typing import NamedTuple
 
 import numpy as np
 
+from moorage.errors import ModelWarning
 from moorage.physics.bending import PINNED
 from moorage.system.build import Built
+
+STEEP = np.radians(60.0)  # a clamp's moment grows with the sine of the angle, and falls beyond 90 degrees
 
 
 class ClampAngle(NamedTuple):
@@ -28,3 +32,15 @@ def clamp_angles(built: Built) -> list[ClampAngle]:
         cosine = float(e @ d / np.sqrt((e @ e) * (d @ d)))
         found.append(ClampAngle(int(built.names.lines[line]), "AB"[end], float(np.arccos(np.clip(cosine, -1.0, 1.0)))))
     return found
+
+
+def warn_of_clamps(built: Built) -> None:
+    """Warn of lines that leave their clamps far off their direction, where a clamp is no spring any more."""
+    for line, end, angle in clamp_angles(built):
+        if angle > STEEP:
+            warnings.warn(
+                f"line {line} leaves the rod that clamps its end {end} at {np.degrees(angle):.0f} degrees: it is tied to "
+                "the wrong end of the rod, or its segments are too long there",
+                ModelWarning,
+                stacklevel=3,
+            )
