@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import time
+
 import moorpy
 import numpy as np
 
@@ -18,8 +20,10 @@ def run(job):
     Returns
     -------
     dict
-        `anchor_tension`, `fairlead_tension` (lines,), N; `stiffness` (6, 6) of the body, N, m, rad; `force` (6,).
+        `anchor_tension`, `fairlead_tension` (lines,), N; `stiffness` (6, 6) of the body, N, m, rad; `force` (6,) on it;
+        `cpu`, s, with setting up.
     """
+    begin = time.process_time()
     system = moorpy.System(depth=float(job["depth"]), rho=float(job["density"]), g=float(job["gravity"]))
     diameter, mass = float(job["diameter"]), float(job["mass"])
     weight = (mass - np.pi / 4.0 * diameter**2 * system.rho) * system.g
@@ -33,11 +37,12 @@ def run(job):
         body.attachPoint(len(system.pointList), fairlead)
         system.addLine(float(job["length"]), "main", pointA=len(system.pointList) - 1, pointB=len(system.pointList))
     system.initialize()
+    cpu = time.process_time() - begin
     lines = system.lineList
     return {
         "anchor_tension": np.array([line.TA for line in lines]),
         "fairlead_tension": np.array([line.TB for line in lines]),
         "stiffness": body.getStiffnessA(lines_only=True),
-        "numeric_stiffness": body.getStiffness(),
         "force": body.getForces(lines_only=True),
+        "cpu": cpu,
     }
