@@ -299,6 +299,12 @@ def _accept(model: Model) -> None:
         warnings.warn(str(problem), ModelWarning, stacklevel=3)
 
 
+def friction_in_statics(model: Model) -> dict[str, str]:
+    """Return what statics know of friction, for the record; nothing where there is none."""
+    friction = model.environment.friction
+    return {} if friction is None else {"friction_in_statics": "as laid" if friction.laid else "off"}
+
+
 def _only_points_are_coupled(model: Model) -> None:
     things = [("body", body) for body in model.bodies if body.kind == "coupled"]
     things += [("rod", rod) for rod in model.rods if rod.kind == "coupled"]  # type: ignore[misc]

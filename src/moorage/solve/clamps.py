@@ -39,8 +39,8 @@ def warn_of_clamps(built: Built) -> None:
     for line, end, angle in clamp_angles(built):
         if angle > STEEP:
             warnings.warn(
-                f"line {line} leaves the rod that clamps its end {end} at {np.degrees(angle):.0f} degrees: it is tied to "
-                "the wrong end of the rod, or its segments are too long there",
+                f"line {line} leaves the rod that clamps its end {end} at {np.degrees(angle):.0f} degrees: it is tied "
+                "to the wrong end of the rod, or its segments are too long there",
                 ModelWarning,
                 stacklevel=3,
             )
