@@ -91,7 +91,7 @@ def test_condensed_increment_is_the_dense_one(name, c):
 def test_matrix_of_joined_lines_is_the_derivative_of_their_forces(name):
     """Hinges of joints and clamps included, in the unknowns that line ends share (central differences, 1e-6 m)."""
     built = shaken(TOPOLOGIES[name], 0.05)
-    for rows in built.state[1:]:
+    for rows in built.state[1:4]:
         rows[...] = 0.0
     K, _, T = reduced(built, STIFFNESS)
     D = np.zeros_like(K)

@@ -54,7 +54,7 @@ def sliding(direction: str, friction: Friction | None, duration: float = 10.0):
         friction=friction,
     )  # fmt: skip
     built = at_rest(model)
-    built.state.position[:5] = np.linspace(begin, begin + LENGTH * along, 5)
+    built.state.position[:5] = built.state.stuck[:5] = np.linspace(begin, begin + LENGTH * along, 5)
     start = built.state.position[2].copy()
     block = run(built, duration, dt_out=0.5, time_step=0.02, dt_nodes=0.5, tolerance=1e-8)
     return block["time"], block["node_velocity"][:, 2] @ down, (block["node_position"][-1, 2] - start) @ down
