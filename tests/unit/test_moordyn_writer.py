@@ -80,7 +80,7 @@ RICH = model(
     environment=Environment(
         water_depth=200.0,
         gravity=9.7,
-        friction=Friction(transverse=0.5, axial=0.5, static_ratio=1.3),
+        friction=Friction(transverse=0.5, axial=0.5, static_ratio=1.3, model="saturated-damping"),
         bathymetry=Bathymetry((-1000.0, 0.0), (0.0, 10.0, 20.0), ((210.0, 211.0, 212.0), (200.0, 201.0, 202.0))),
         current=Current((-100.0, 0.0), ((0.1, 0.2, 0.0), (1.0, 0.0, 0.0))),
     ),

@@ -56,6 +56,8 @@ def _friction(environment: Environment, flavour: str, notes: list[str]) -> list[
     friction = environment.friction
     if friction is None:
         return []
+    if friction.model != "saturated-damping":
+        notes.append(f"friction by {friction.model} is written as saturated damping, the only law that MoorDyn has")
     ratio, damping = repr(friction.static_ratio), repr(friction.damping)
     if flavour == "F":
         pair = [(repr(friction.transverse), "mu_kT"), (repr(friction.axial), "mu_kA")]
