@@ -13,9 +13,9 @@ from scipy.sparse import csr_array
 
 from moorage.errors import SimulationError
 from moorage.layout import new_state
+from moorage.physics.friction import remembers
 from moorage.physics.motion import sample_track
 from moorage.solve import record as columns
-from moorage.physics.friction import remembers
 from moorage.solve.march_kernel import OK, UNSTABLE, Clocks, Control, march_islands, start_islands
 from moorage.solve.places import place_name
 from moorage.solve.record import Record, new_record
