@@ -12,10 +12,11 @@ while mu < tan(10 deg) = 0.176. It is put at its depth, w cos / (k d) along the 
 starts at rest; once it slips, its speed must grow at the rate of a within 2e-4, by every law.
 
 Above that it sticks. Let the friction's spring give D = w sin / (k_s d) under the line's weight, and r = mu / tan.
-Without damping ("elastic-slip") the line falls into the spring with the energy x - x^2 / 2 (in D w sin), slips from x
-= r on, and stops at r + (r - r^2 / 2) / (r - 1); then it swings by r - 1 about the place r - 1 above, for ever but
-for the loss of the scheme, which needs a step of 5 ms here to be told so closely. "stick-slip" damps the spring and comes to rest before 2 D. The law of MoorDyn, a damper,
-creeps for ever. (MoorDyn-C's contact is vertical and lets a frictionless line stay put.)
+Without damping ("elastic-slip") the line falls into the spring with the energy x - x^2 / 2 (in D w sin), slips from
+x = r on, and stops at r + (r - r^2 / 2) / (r - 1); then it swings by r - 1 about the place r - 1 above, for ever but
+for the loss of the scheme, which needs a step of 5 ms to tell this so closely. "stick-slip" damps the spring and comes
+to rest before 2 D. The law of MoorDyn, a damper, creeps for ever. (MoorDyn-C's contact is vertical and lets a
+frictionless line stay put.)
 """
 
 from __future__ import annotations
