@@ -61,6 +61,7 @@ CASES = {
         m, points=(*m.points, Point(id=3, kind="coupled", position=PLACE[0], turbine=1, source=AT))
     ),
     "viscoelastic lines are": _with_type(viscoelastic=(1e8,)),
+    "damping in bending is": _with_type(bending_stiffness=1e4, bending_damping=1e2),
     "the Syrope model is": _with_type(syrope="s.dat", viscoelastic=(1e8, 1.0)),
     "vortex-induced vibration is": _with_type(lift_coefficient=0.8),
     "waves are": _around(waves=Waves(option="WaveKin", value="3", source=AT)),

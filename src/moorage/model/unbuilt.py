@@ -58,6 +58,13 @@ def _viscoelastic(model: Model) -> Iterator[Problem]:
             yield Problem(message, "give one value of EA", t.source, t.viscoelastic)
 
 
+def _bending_damping(model: Model) -> Iterator[Problem]:
+    for t in model.line_types:
+        if t.bending_damping > 0.0:
+            message = f"line type {t.name}: damping in bending is not simulated yet"
+            yield Problem(message, "give EI alone", t.source, t.bending_damping)
+
+
 def _syrope(model: Model) -> Iterator[Problem]:
     for t in model.line_types:
         if t.syrope:
@@ -114,6 +121,7 @@ UNBUILT: tuple[Callable[[Model], Iterator[Problem]], ...] = (
     _joints,
     _turbines,
     _viscoelastic,
+    _bending_damping,
     _syrope,
     _vortex_vibration,
     _waves,
