@@ -71,5 +71,6 @@ def _limit(ds: xr.Dataset, cable: Cable, ax: Axes) -> None:
         ax.plot(cable.distance, allowed, "--", color=LIMIT, lw=1.2, label="allowed")
         ax.set_ylim(top=1.1 * max(float(np.nanmin(allowed)), ax.get_ylim()[1] / 1.1))
     else:
+        ax.set_ylim(top=1.15 * ax.get_ylim()[1])  # room for the note
         text = f"allowed: {np.nanmin(allowed):.3g} 1/m (radius {radius.max():g} m)"
         ax.text(0.99, 0.97, text, transform=ax.transAxes, ha="right", va="top", fontsize=8, color=LIMIT)
