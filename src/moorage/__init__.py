@@ -28,7 +28,7 @@ if TYPE_CHECKING:
         SimulationError,
         UnsupportedError,
     )
-    from moorage.io import convert, read
+    from moorage.io import convert, read, read_bathymetry
     from moorage.io.motion import Motion
     from moorage.model import Model
     from moorage.model.checks import suspicious
@@ -62,6 +62,7 @@ _HOMES = {
     "line": "results",
     "open_result": "results",
     "read": "io",
+    "read_bathymetry": "io",
     "simulate": "run",
     "solve_statics": "run",
     "suspicious": "model.checks",
@@ -91,6 +92,7 @@ __all__ = [
     "open_result",
     "plot",
     "read",
+    "read_bathymetry",
     "results",
     "simulate",
     "solve_statics",

@@ -163,6 +163,7 @@ def model_summary(model: Model) -> None:
         "title": model.title,
         "water": f"depth {model.environment.water_depth:g} m, density {model.environment.water_density:g} kg/m3, "
         f"gravity {model.environment.gravity:g} m/s2",
+        "seabed": _seabed(model),
         "lines": f"{len(model.lines)}, {sum(line.segments for line in model.lines)} segments, "
         f"{sum(line.length for line in model.lines):g} m",
         "line types": ", ".join(t.name for t in model.line_types),
@@ -173,6 +174,18 @@ def model_summary(model: Model) -> None:
         "channels": ", ".join(output.name for output in model.outputs),
     }
     fact_table(facts)
+
+
+def _seabed(model: Model) -> str:
+    """Return the depth grid and the friction of a model in words."""
+    grid, friction = model.environment.bathymetry, model.environment.friction
+    parts = []
+    if grid is not None:
+        parts.append(f"depth grid {grid.file} of {len(grid.x)} by {len(grid.y)} points".replace("  ", " "))
+        parts += [str(grid.resampling)] if grid.resampling else []
+    if friction is not None:
+        parts.append(f"friction {friction.model}, {friction.axial:g} along and {friction.transverse:g} across the line")
+    return "; ".join(parts)
 
 
 def fact_table(facts: dict[str, str]) -> None:

@@ -9,7 +9,7 @@ import pytest
 import moorage.model as m
 from moorage.errors import ModelError, Source
 from moorage.io import convert, read, read_native, write_native
-from moorage.io.schema import SCHEMA, as_markdown
+from moorage.io.schema import FROM_FILE, SCHEMA, as_markdown
 
 FULL = """\
 moorage: 1
@@ -117,10 +117,14 @@ CLASSES = {
     "section": m.Section, "buoyancy modules": m.BuoyancyModules, "bend stiffener": m.BendStiffener, "rod type": m.RodType, "rod": m.Rod, "body": m.Body, "failure": m.Failure,
     "control": m.Control, "external load": m.ExternalLoad,
 }  # fmt: skip
-ELSEWHERE = {"source", "file", "text", "unused_options", "flavour", "on_seabed", "moorage"}
+ELSEWHERE = {"source", "resampling", "file", "text", "unused_options", "flavour", "on_seabed", "moorage"}
 
 
-@pytest.mark.parametrize("name", SCHEMA)
+def test_every_object_of_the_schema_is_a_class_or_a_file():
+    assert SCHEMA.keys() - CLASSES.keys() == set(FROM_FILE.values())
+
+
+@pytest.mark.parametrize("name", CLASSES)
 def test_schema_has_every_field(name):
     fields = {field.name for field in dataclasses.fields(CLASSES[name])} - ELSEWHERE
     keys = set(SCHEMA[name]) - ELSEWHERE

@@ -4,6 +4,7 @@ from moorage.io.convert import convert
 from moorage.io.moordyn import DriverCase, is_driver, read_driver, read_moordyn, write_moordyn
 from moorage.io.motion import read_motion
 from moorage.io.native import read_native, write_native
+from moorage.io.raster import read_bathymetry
 from moorage.io.read import read
 
 __all__ = [
@@ -11,6 +12,7 @@ __all__ = [
     "convert",
     "is_driver",
     "read",
+    "read_bathymetry",
     "read_driver",
     "read_moordyn",
     "read_motion",

@@ -49,6 +49,8 @@ def _matrix(lines: list[Row], found: Findings, source: Source) -> Grid:
     if len(table) < ny:
         found.add(f"depth file has {len(table)} rows of depths", f"give {ny} (nGridY)", source)
         return _NOTHING
+    _check_increase(x, "x", [body[0]] * nx, found)
+    _check_increase(tuple(row[0] for row in table), "y", body[1 : ny + 1], found)
     depth = {(i, j): value for j, row in enumerate(table) for i, value in enumerate(row[1:])}
     return (x, tuple(row[0] for row in table)), depth
 
@@ -62,6 +64,8 @@ def _list(lines: list[Row], found: Findings, source: Source) -> Grid:
         found.add("depth file does not start with two counts", "write nx ny", lines[0].source, lines[0].text.strip())
         return _NOTHING
     x, y = _row(lines[1], counts[0], "x", found), _row(lines[2], counts[1], "y", found)
+    for axis, name, row in ((x, "x", lines[1]), (y, "y", lines[2])):
+        _check_increase(axis, name, [row] * len(axis), found)
     depth: dict[tuple[int, int], float] = {}
     for row in lines[3:]:
         values = _row(row, 3, "x, y and z", found)
@@ -78,6 +82,15 @@ def _list(lines: list[Row], found: Findings, source: Source) -> Grid:
     if missing:
         found.add(f"depth file leaves {missing} points of its grid without depth", "list every point", source)
     return (x, y), depth
+
+
+def _check_increase(axis: tuple[float, ...], name: str, places: list[Row], found: Findings) -> None:
+    """Note where an axis of the grid does not increase; `places` are the rows that give its values."""
+    for before, value, place in zip(axis, axis[1:], places[1:], strict=False):
+        if value <= before and all(problem.source != place.source for problem in found.problems):
+            remedy = f"the value after {before:g} must be larger"
+            found.add(f"{name} of the depth grid does not increase", remedy, place.source, value)
+            return
 
 
 def _row(row: Row, count: int, what: str, found: Findings) -> tuple[float, ...]:

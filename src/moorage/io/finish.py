@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from moorage.io.text import Findings
 from moorage.model import Model
-from moorage.model.checks import check, depths_are_positive, problems_of
+from moorage.model.bed_checks import depths_are_positive
+from moorage.model.checks import check, problems_of
 from moorage.model.seabed import place_on_seabed
 from moorage.model.seabed import raise_to_seabed as raised
 

@@ -11,6 +11,7 @@ import yaml
 
 from moorage.errors import ModelError, Problem, Source
 from moorage.io.finish import checked
+from moorage.io.raster import read_bathymetry
 from moorage.io.schema import SCHEMA
 from moorage.io.text import Findings, read_text
 from moorage.io.yaml_nodes import NodeReader, Values
@@ -49,7 +50,9 @@ def read_native(path: str | Path, raise_to_seabed: bool = False) -> Model:
     values = _load(text, path, found)
     found.raise_any()
     assert values is not None
-    return checked(dataclasses.replace(_model(values, found), file=str(path), text=text), found, raise_to_seabed)
+    return checked(
+        dataclasses.replace(_model(values, path.parent, found), file=str(path), text=text), found, raise_to_seabed
+    )
 
 
 def _load(text: str, path: Path, found: Findings) -> Values | None:
@@ -68,11 +71,11 @@ def _load(text: str, path: Path, found: Findings) -> Values | None:
     return values
 
 
-def _model(values: Values, found: Findings) -> Model:
+def _model(values: Values, folder: Path, found: Findings) -> Model:
     points = tuple(_point(entry) for entry in values.get("points", ()))
     ids = {point.name: point.id for point in points if point.name}
     return Model(
-        environment=_environment(values["environment"]),
+        environment=_environment(values["environment"], folder, found),
         line_types=tuple(LineType(name=name, **entry) for name, entry in values.get("line_types", {}).items()),
         lines=tuple(_line(entry, ids, found) for entry in values.get("lines", ())),
         points=points,
@@ -92,10 +95,28 @@ def _model(values: Values, found: Findings) -> Model:
     )
 
 
-def _environment(values: Values) -> Environment:
-    parts: dict[str, type] = {"friction": Friction, "bathymetry": Bathymetry, "current": Current, "waves": Waves}
+def _environment(values: Values, folder: Path, found: Findings) -> Environment:
+    if "bathymetry" in values:
+        values = values | {"bathymetry": _seabed(values["bathymetry"], folder, found)}
+    parts: dict[str, type] = {"friction": Friction, "current": Current, "waves": Waves}
     made = {key: parts[key](**value) if key in parts else value for key, value in values.items() if key != "source"}
     return Environment(**made)
+
+
+def _seabed(values: Values, folder: Path, found: Findings) -> Bathymetry | None:
+    """Return the depth grid that is written out or in a raster; None, with problems noted, when there is none."""
+    if "file" not in values:
+        return Bathymetry(**values)
+    for key, count in (("origin", 2), ("extent", 4)):
+        if len(values.get(key, range(count))) != count:
+            found.add(f"{key} of the bathymetry has {len(values[key])} values", f"give {count}", values["source"])
+            return None
+    try:
+        return read_bathymetry(folder / values["file"], **{key: v for key, v in values.items() if key != "file"})
+    except ModelError as error:
+        found.extend(error.problems)
+        found.lost_rows = True
+        return None
 
 
 def _point(values: Values) -> Point:

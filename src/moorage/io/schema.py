@@ -12,9 +12,9 @@ from dataclasses import dataclass
 class Key:
     """A key: the kind of its value, unit, meaning, and whether it must be given.
 
-    Kinds: number, integer, text, flag; vector (three numbers), position (z may be the word seabed), numbers (a list);
-    curve (a number, or x and y, or a file); end (of a line); `one of a, b`; and for nested objects of this schema their
-    name, `list of name` and `map of name`.
+    Kinds: number, integer, text, flag; number or nearest (that word); vector (three numbers), position (z may be the
+    word seabed), numbers (a list); curve (a number, or x and y, or a file); end (of a line); `one of a, b`; and for
+    nested objects of this schema their name, `list of name` and `map of name`.
     """
 
     kind: str
@@ -68,6 +68,18 @@ SCHEMA: dict[str, dict[str, Key]] = {
         "x": Key("numbers", "m", "grid in x, increasing", True),
         "y": Key("numbers", "m", "grid in y, increasing", True),
         "depth": Key("table", "m", "one row for each x: depths at every y, positive", True),
+        "smooth": Key("flag", "-", "bicubic between the points, with a continuous normal; false: bilinear"),
+    },
+    "bathymetry file": {
+        "file": Key("text", "-", "raster: .tif, .asc, .nc, .xyz, .csv or .txt", True),
+        "origin": Key("numbers", "m", "easting and northing of the model's origin in crs; 0, 0 by default"),
+        "heading": Key("number", "deg", "of the x axis, clockwise from the grid's north; 90 by default: to the east"),
+        "spacing": Key("number", "m", "of the depth grid; by default that of the raster"),
+        "extent": Key("numbers", "m", "lowest x, highest x, lowest y, highest y of the grid; by default all of it"),
+        "fill": Key("number or nearest", "m", "depth where the raster has none, or that of the nearest cell"),
+        "crs": Key("text", "-", "coordinate system of the origin, in metres: EPSG:32631, WKT, or metres"),
+        "file_crs": Key("text", "-", "coordinate system of the file, when it does not name one"),
+        "water_level": Key("number", "m", "height of the still water in the heights of the file"),
         "smooth": Key("flag", "-", "bicubic between the points, with a continuous normal; false: bilinear"),
     },
     "current": {
@@ -203,6 +215,8 @@ SCHEMA: dict[str, dict[str, Key]] = {
     },
 }
 
+FROM_FILE = {"bathymetry": "bathymetry file"}  # what an object is when it has the key file
+
 
 def as_markdown() -> str:
     """Return the schema as the tables of `docs/native-file.md`."""
@@ -214,6 +228,7 @@ def as_markdown() -> str:
         "",
         "What is not required has a default. A *curve* is a number, `{x: [...], y: [...]}`, or `{file: name}` with two",
         "columns; the z of a *position* may be the word `seabed`; an *end* is a point's number or name, or `rod 1 A`.",
+        "A *bathymetry* with the key `file` is a *bathymetry file*: a raster, see [the seabed](seabed.md).",
     ]
     for name, keys in SCHEMA.items():
         lines += ["", f"## {name}", "", "| key | value | unit | meaning | required |", "|---|---|---|---|---|"]

@@ -10,7 +10,7 @@ from typing import Any
 import yaml
 
 from moorage.errors import Source
-from moorage.io.schema import SCHEMA, Key
+from moorage.io.schema import FROM_FILE, SCHEMA, Key
 from moorage.io.tables import read_curve
 from moorage.io.text import Findings
 from moorage.model import Curve
@@ -61,10 +61,13 @@ class NodeReader:
             return [self.read_object(item, name, f"{name} {k + 1}" + _id(item)) for k, item in enumerate(items)]
         if kind.startswith("map of "):
             return self._map(node, kind[len("map of ") :], what)
+        if kind in FROM_FILE and _has_key(node, "file"):
+            kind = FROM_FILE[kind]
         if kind in SCHEMA:
             return self.read_object(node, kind, what)
         readers: dict[str, Callable[[yaml.Node, str], Any]] = {
             "number": self._number,
+            "number or nearest": lambda n, w: n.value if n.value == "nearest" else self._number(n, w),
             "integer": self._integer,
             "text": self._text,
             "flag": self._flag,
@@ -172,6 +175,10 @@ class NodeReader:
         if len(x) != len(y):
             self._refuse(node, f"{what} has {len(x)} x and {len(y)} y", "give as many of both")
         return Curve(x, y)
+
+
+def _has_key(node: yaml.Node, name: str) -> bool:
+    return isinstance(node, yaml.MappingNode) and any(key.value == name for key, _ in node.value)
 
 
 def _id(node: yaml.Node) -> str:

@@ -16,7 +16,7 @@ from moorage.model.components import (
     RodType,
     Section,
 )
-from moorage.model.environment import Bathymetry, Current, Environment, Friction, Waves
+from moorage.model.environment import Bathymetry, Current, Environment, Friction, Resampling, Waves
 from moorage.model.model import Model, OutputChannel, UnusedOption
 from moorage.model.motion import Motion
 
@@ -39,6 +39,7 @@ __all__ = [
     "Motion",
     "OutputChannel",
     "Point",
+    "Resampling",
     "Rod",
     "RodType",
     "Section",

@@ -9,6 +9,8 @@ from math import isfinite
 from typing import Any
 
 from moorage.errors import ModelError, Problem, Source
+from moorage.model.bed_checks import anchors_are_on_the_grid, depths_are_positive, friction_is_possible
+from moorage.model.bed_doubts import points_off_the_grid, weak_friction
 from moorage.model.cables import (
     directions_are_given,
     joints_are_joints,
@@ -19,6 +21,7 @@ from moorage.model.cables import (
 )
 from moorage.model.channels import parse_channel
 from moorage.model.components import Attachment, Curve, Line, LineType
+from moorage.model.environment import Bathymetry
 from moorage.model.model import Model
 from moorage.model.seabed import below_seabed
 
@@ -39,7 +42,7 @@ def problems_of(model: Model) -> list[Problem]:
 
 def suspicious(model: Model) -> list[Problem]:
     """Return what can be run but is hardly meant."""
-    return pinned_junctions(model)
+    return pinned_junctions(model) + weak_friction(model) + points_off_the_grid(model)
 
 
 def _named(model: Model) -> Iterator[tuple[str, object, Source | None]]:
@@ -72,7 +75,7 @@ def _floats(thing: object, field: str = "") -> Iterator[tuple[str, float]]:
     elif isinstance(thing, tuple):
         for item in thing:
             yield from _floats(item, field)
-    elif dataclasses.is_dataclass(thing) and not isinstance(thing, Source):
+    elif dataclasses.is_dataclass(thing) and not isinstance(thing, Source | Bathymetry):  # grids have their own check
         for part in dataclasses.fields(thing):
             yield from _floats(getattr(thing, part.name), part.name)
 
@@ -98,29 +101,6 @@ def environment_is_possible(model: Model) -> Iterator[Problem]:
     yield from _signs(environment, "the environment", source, "water_depth", weak)
     if model.output_interval is not None and model.output_interval <= 0.0:
         yield Problem("output interval must be positive", "correct it", source, model.output_interval)
-    if environment.friction is not None:
-        friction = environment.friction
-        yield from _signs(friction, "seabed friction", friction.source, "damping", "transverse axial")
-        if friction.static_ratio < 1.0:
-            remedy = "give a ratio of static to kinetic friction of at least 1"
-            yield Problem("static friction is below kinetic friction", remedy, friction.source, friction.static_ratio)
-
-
-def depths_are_positive(model: Model) -> Iterator[Problem]:
-    """A depth grid is a grid, and all of it is under water."""
-    grid = model.environment.bathymetry
-    if grid is None:
-        return
-    for name, axis in (("x", grid.x), ("y", grid.y)):
-        if not axis or any(b <= a for a, b in pairwise(axis)):
-            yield Problem(f"{name} of the depth grid does not increase", "sort the grid", grid.source)
-    if len(grid.depth) != len(grid.x) or any(len(row) != len(grid.y) for row in grid.depth):
-        yield Problem("depth grid is not rectangular", "give a depth for each x and y", grid.source)
-    shallowest = min((depth for row in grid.depth for depth in row), default=0.0)
-    if shallowest <= 0.0:
-        yield Problem(
-            "seabed reaches the water's surface", "give positive depths (z negative)", grid.source, -shallowest
-        )
 
 
 def current_is_a_profile(model: Model) -> Iterator[Problem]:
@@ -359,6 +339,7 @@ def channels_exist(model: Model) -> Iterator[Problem]:
 CHECKS: tuple[Check, ...] = (
     numbers_are_finite,
     environment_is_possible,
+    friction_is_possible,
     depths_are_positive,
     current_is_a_profile,
     line_types_are_possible,
@@ -378,4 +359,5 @@ CHECKS: tuple[Check, ...] = (
     events_name_what_exists,
     channels_exist,
     anchors_are_not_buried,
+    anchors_are_on_the_grid,
 )

@@ -9,6 +9,32 @@ from typing import Literal
 from moorage.errors import Source
 
 
+@dataclass(frozen=True, kw_only=True)
+class Resampling:
+    """What was lost when a raster was read onto a depth grid, at the centres of the cells that the grid covers.
+
+    Parameters
+    ----------
+    spacing : float
+        Of the grid, m.
+    cells : int
+        Number of cells.
+    largest, rms : float
+        Differences of the depth, m.
+    """
+
+    spacing: float
+    cells: int
+    largest: float
+    rms: float
+
+    def __str__(self) -> str:
+        return (
+            f"resampled to {self.spacing:g} m: {self.cells} cells of the raster differ by at most "
+            f"{self.largest:.2g} m, rms {self.rms:.2g} m"
+        )
+
+
 @dataclass(frozen=True)
 class Bathymetry:
     """A rectangular grid of water depths: x (nx,) m, y (ny,) m, depth (nx, ny) m, positive down.
@@ -22,6 +48,7 @@ class Bathymetry:
     smooth: bool = False
     file: str = field(default="", compare=False)
     source: Source | None = field(default=None, compare=False, repr=False)
+    resampling: Resampling | None = field(default=None, compare=False, repr=False)
 
     def depth_at(self, x: float, y: float) -> float:
         """Return the depth (m) at a place: bilinear between the grid's points, the nearest edge outside."""

@@ -1,0 +1,68 @@
+"""What a seabed must fulfil: a depth grid that is one, anchors on it, and possible coefficients of friction."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import pairwise
+from math import isfinite
+
+from moorage.errors import Problem
+from moorage.model.bed_doubts import extent, is_anchor, is_inside
+from moorage.model.environment import Bathymetry
+from moorage.model.model import Model
+
+
+def depths_are_positive(model: Model) -> Iterator[Problem]:
+    """A depth grid is a grid without holes, and all of it is under water."""
+    grid = model.environment.bathymetry
+    if grid is None:
+        return
+    for name, axis in (("x", grid.x), ("y", grid.y)):
+        if not axis or not all(b > a for a, b in pairwise(axis)) or not all(map(isfinite, axis)):
+            yield Problem(f"{name} of the depth grid does not increase", "sort the grid", grid.source)
+    if len(grid.depth) != len(grid.x) or any(len(row) != len(grid.y) for row in grid.depth):
+        yield Problem("depth grid is not rectangular", "give a depth for each x and y", grid.source)
+        return
+    yield from _holes(grid)
+    shallowest = min((depth for row in grid.depth for depth in row if isfinite(depth)), default=0.0)
+    if shallowest <= 0.0:
+        remedy = "give positive depths (z negative)"
+        yield Problem("seabed reaches the water's surface", remedy, grid.source, -shallowest)
+
+
+def _holes(grid: Bathymetry) -> Iterator[Problem]:
+    holes = [(i, j) for i, row in enumerate(grid.depth) for j, depth in enumerate(row) if not isfinite(depth)]
+    if holes:
+        i, j = holes[0]
+        message = f"depth grid has {len(holes)} cells without depth, the first at x {grid.x[i]:g} m, y {grid.y[j]:g} m"
+        yield Problem(message, "give their depths, or read a raster with a fill", grid.source)
+
+
+def anchors_are_on_the_grid(model: Model) -> Iterator[Problem]:
+    """Anchors stand where their depth is known."""
+    grid = model.environment.bathymetry
+    if grid is None or any(depths_are_positive(model)):
+        return
+    for point in model.points:
+        if is_anchor(point, model.environment) and not is_inside(grid, *point.position[:2]):
+            message = f"anchor (fixed point {point.id}) is outside the depth grid ({extent(grid)})"
+            yield Problem(message, "give a grid that covers it", point.source, point.position[:2])
+
+
+def friction_is_possible(model: Model) -> Iterator[Problem]:
+    """Coefficients are not negative, static friction is not below kinetic, and what it needs is positive."""
+    friction = model.environment.friction
+    if friction is None:
+        return
+    for name in ("transverse", "axial"):
+        if getattr(friction, name) < 0.0:
+            message = f"{name} of seabed friction must not be negative"
+            yield Problem(message, "correct the value", friction.source, getattr(friction, name))
+    for name in ("damping", "shear_stiffness", "velocity"):
+        value = getattr(friction, name)
+        if value is not None and value <= 0.0:
+            message = f"{name.replace('_', ' ')} of seabed friction must be positive"
+            yield Problem(message, "correct the value", friction.source, value)
+    if friction.static_ratio < 1.0:
+        remedy = "give a ratio of static to kinetic friction of at least 1"
+        yield Problem("static friction is below kinetic friction", remedy, friction.source, friction.static_ratio)
