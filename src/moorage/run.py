@@ -29,7 +29,9 @@ from moorage.results import (
     remove_checkpoint,
     run_attributes,
     save_checkpoint,
+    seabed_of,
     static_dataset,
+    warn_of_lines_off_the_grid,
     warn_of_tight_bends,
     watch_list,
 )
@@ -75,6 +77,7 @@ def solve_statics(model: Model) -> xr.Dataset:
         _layout(model, built, "time"), block, stiffness, equilibrium.residual, equilibrium.iterations, attrs
     )
     warn_of_tight_bends(ds)
+    warn_of_lines_off_the_grid(ds)
     return ds
 
 
@@ -180,6 +183,7 @@ def simulate(
         remove_checkpoint(writer.path)
     mark_warm()
     warn_of_tight_bends(result)
+    warn_of_lines_off_the_grid(result)
     return result
 
 
@@ -369,4 +373,4 @@ def _node_dimension(settings: Settings) -> str:
 def _layout(model: Model, built: Built, node_time: str, motion: Motion | None = None) -> Layout:
     index = make_index(model, built.names)
     bending = bending_of(model, built, index.allowed_bend_radius)
-    return Layout(index, plan_outputs(model, built, motion), node_time, bending)
+    return Layout(index, plan_outputs(model, built, motion), node_time, bending, seabed_of(model, built))

@@ -39,7 +39,8 @@ _TABLE = (
     Variable("point_velocity", "v_p", ("time", "point", "xyz"), "m s-1", "velocity of a point"),
     Variable("point_force", "F_p", ("time", "point", "xyz"), "N", "force of all lines on a point"),
     Variable("grounded_length", "L_g", ("time", "line"), "m", "unstretched length of line on the seabed"),
-    Variable("anchor_uplift_angle", "phi_A", ("time", "line"), "rad", "angle of the pull at end A over the horizontal"),
+    Variable("anchor_uplift_angle", "phi_A", ("time", "line"), "rad", "angle of the pull at end A over the seabed"),
+    Variable("anchor_uplift_force", "", ("time", "line"), "N", "pull at end A away from the seabed, along its normal"),
     Variable("minimum_tension", "T_min", ("time", "line"), "N", "lowest segment tension of a line"),
     Variable("fairlead_moment", "M_B", ("time", "line", "xyz"), "N m", "moment of the line on the clamp of its end B"),
     Variable("anchor_moment", "M_A", ("time", "line", "xyz"), "N m", "moment of the line on the clamp of its end A"),
@@ -51,8 +52,16 @@ _TABLE = (
     Variable("seabed_gap", "", ("time", "node"), "m", "height of a node over the seabed"),
     Variable("touchdown_position", "r_TD", ("time", "line", "xyz"), "m", "where a line meets the seabed, NaN: nowhere"),
     Variable("touchdown_arc_length", "s_TD", ("time", "line"), "m", "unstretched arc length of that from end A"),
+    Variable("seabed_force", "N", ("time", "node"), "N", "force of the seabed on a node along the bed's normal"),
+    Variable("friction_force", "F_f", ("time", "node", "xyz"), "N", "friction of the seabed on a node"),
+    Variable("sticking", "", ("time", "node"), "1", "1 where friction is below its limit, 0: sliding or off the bed"),
+    Variable("friction_power", "", ("time", "line"), "W", "sum of -F.v of friction over the nodes of a line"),
+    Variable("dissipated_energy", "", ("time", "line"), "J", "integral of friction_power over the node histories"),
     Variable("arc_length", "s", ("node",), "m", "unstretched arc length of a node from end A"),
     Variable("segment_arc_length", "s_m", ("segment",), "m", "unstretched arc length of a segment's middle from end A"),
+    Variable("bed_x", "x", ("bed_x",), "m", "x of the depth grid"),
+    Variable("bed_y", "y", ("bed_y",), "m", "y of the depth grid"),
+    Variable("bed_level", "z_b", ("bed_x", "bed_y"), "m", "z of the seabed at the points of the depth grid"),
     Variable("node_line", "", ("node",), "1", "id of the line that a node belongs to"),
     Variable("segment_line", "", ("segment",), "1", "id of the line that a segment belongs to"),
     Variable("outer_diameter", "", ("segment",), "m", "of a segment, with modules and stiffeners"),
@@ -65,6 +74,8 @@ _TABLE = (
     Variable("residual", "", (), "N", "largest out-of-balance force on a node or free point"),
     Variable("iterations", "", (), "1", "Newton iterations of the static solution"),
 )  # fmt: skip
+
+FLAGS = ("sticking",)  # kept as bytes
 
 VARIABLES: dict[str, Variable] = {variable.name: variable for variable in _TABLE}
 

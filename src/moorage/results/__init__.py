@@ -1,5 +1,6 @@
 """Records of a run as labelled datasets: in memory, streamed to disk, and back."""
 
+from moorage.results.bed_check import lines_off_the_grid, warn_of_lines_off_the_grid
 from moorage.results.bend_check import TightBend, tight_bends, warn_of_tight_bends
 from moorage.results.bending import bending_of
 from moorage.results.cable_report import CableReport, cable_reports
@@ -19,6 +20,7 @@ from moorage.results.index import Index, make_index
 from moorage.results.memory import MemoryResult
 from moorage.results.provenance import fingerprint, run_attributes
 from moorage.results.reader import open_result
+from moorage.results.seabed import Seabed, seabed_of
 from moorage.results.statistics import LineSummary, Summary, line_summaries, static_report
 from moorage.results.writer import StreamWriter
 
@@ -30,6 +32,7 @@ __all__ = [
     "Layout",
     "LineSummary",
     "MemoryResult",
+    "Seabed",
     "StreamWriter",
     "Summary",
     "TightBend",
@@ -42,6 +45,7 @@ __all__ = [
     "join_columns",
     "line",
     "line_summaries",
+    "lines_off_the_grid",
     "load_checkpoint",
     "make_index",
     "open_result",
@@ -49,10 +53,12 @@ __all__ = [
     "remove_checkpoint",
     "run_attributes",
     "save_checkpoint",
+    "seabed_of",
     "static_dataset",
     "static_report",
     "tight_bends",
     "to_dataset",
+    "warn_of_lines_off_the_grid",
     "warn_of_tight_bends",
     "watch_list",
 ]

@@ -9,6 +9,7 @@ import numpy as np
 from moorage.results.bending import COORDINATES, MOMENTS, Bending
 from moorage.results.channels import Output
 from moorage.results.index import Index
+from moorage.results.seabed import UPLIFT, Seabed
 from moorage.solve.march import Block
 from moorage.variables import VARIABLES, attributes
 
@@ -42,47 +43,67 @@ class Layout:
         The time dimension of node histories: "time", "node_time" when they have an interval of their own, "" for none.
     bending : Bending or None
         For models with cables: what their columns need.
+    seabed : Seabed or None
+        For models with friction or bathymetry: what their columns need.
     """
 
     index: Index
     outputs: tuple[Output, ...] = ()
     node_time: str = "time"
     bending: Bending | None = None
+    seabed: Seabed | None = None
 
     @property
     def names(self) -> tuple[str, ...]:
         """Names of the variables over time, coordinates of time first."""
+        return self.recorded + tuple(self.integrals)
+
+    @property
+    def recorded(self) -> tuple[str, ...]:
+        """Names of the variables that a block gives by itself."""
         times = ("time", "node_time") if self.node_time == "node_time" else ("time",)
-        moments = MOMENTS if self.bending else ()
-        return times + LINE_VARIABLES + moments + self.histories + tuple(output.name for output in self.outputs)
+        at_ends = (MOMENTS if self.bending else ()) + (UPLIFT if self.seabed else ())
+        return times + LINE_VARIABLES + at_ends + self.histories + tuple(output.name for output in self.outputs)
+
+    @property
+    def integrals(self) -> dict[str, str]:
+        """Names of the integrals over time, which need the block before, and of what they integrate."""
+        return self.seabed.integrals if self.seabed and self.node_time else {}
 
     @property
     def histories(self) -> tuple[str, ...]:
         """Names of the variables that are kept when histories of nodes are."""
         if not self.node_time:
             return ()
-        return NODE_VARIABLES + (self.bending.histories if self.bending else ())
+        parts = [part.histories for part in (self.bending, self.seabed) if part]
+        return tuple(dict.fromkeys(NODE_VARIABLES + sum(parts, ())))
+
+    @property
+    def sizes(self) -> dict[str, int]:
+        """Length of every dimension but time."""
+        return self.index.sizes | (self.seabed.sizes if self.seabed else {})
 
     def coordinates(self) -> dict[str, np.ndarray]:
         """Return the coordinates of the rows; those of nodes and segments only where there are histories of them."""
         left_out = () if self.node_time else (("node",), ("segment",))
         unused = set(COORDINATES) - set(self.bending.coordinates if self.bending else ())
         known = self.index.coordinates().items()
-        return {n: values for n, values in known if VARIABLES[n].dims not in left_out and n not in unused}
+        rows = {n: values for n, values in known if VARIABLES[n].dims not in left_out and n not in unused}
+        return rows | (self.seabed.coordinates if self.seabed else {})
 
     def dims(self, name: str) -> tuple[str, ...]:
         """Return the dimensions of a variable over time."""
         if name not in VARIABLES:
             return ("time",)
         dims = VARIABLES[name].dims
-        return (self.node_time, *dims[1:]) if name in self.histories else dims
+        return (self.node_time, *dims[1:]) if name in self.histories or name in self.integrals else dims
 
     def attributes(self, name: str) -> dict[str, str]:
         """Return the CF attributes of a variable over time."""
         return next((output.attributes for output in self.outputs if output.name == name), None) or attributes(name)
 
     def columns(self, block: Block) -> dict[str, np.ndarray]:
-        """Return the values of all variables over time for one block, by name."""
+        """Return the values of the recorded variables for one block, by name."""
         anchor, fairlead = block["end_force"][:, :, 0], block["end_force"][:, :, 1]
         values = {
             **block,
@@ -95,9 +116,10 @@ class Layout:
             "minimum_tension": block["lowest_tension"],
             "anchor_uplift_angle": uplift_angle(anchor, block["grounded_length"]),
             **(self.bending.columns(block) if self.bending else {}),
+            **(self.seabed.columns(block) if self.seabed else {}),
             **{output.name: output.evaluate(block) for output in self.outputs},
         }
-        return {name: values[name] for name in self.names}
+        return {name: values[name] for name in self.recorded}
 
 
 def uplift_angle(force: np.ndarray, grounded: np.ndarray) -> np.ndarray:

@@ -11,8 +11,11 @@ from moorage.errors import Problem, ResultError
 from moorage.results.bend_check import bend_attributes, has_limits
 from moorage.results.columns import Layout
 from moorage.results.index import DOF
+from moorage.results.seabed import running_integral
 from moorage.solve.march import Block
 from moorage.variables import VARIABLES, attributes
+
+OVER_TIME = ("friction_power", "dissipated_energy")  # nothing of them at rest
 
 
 def to_dataset(layout: Layout, blocks: Iterable[Block], attrs: Mapping[str, object]) -> xr.Dataset:
@@ -23,10 +26,10 @@ def to_dataset(layout: Layout, blocks: Iterable[Block], attrs: Mapping[str, obje
 def join_columns(layout: Layout, parts: Sequence[Mapping[str, np.ndarray]], attrs: Mapping[str, object]) -> xr.Dataset:
     """Return a dataset of the columns of successive blocks."""
     times = [name for name in ("time", "node_time") if name in layout.names]
-    joined = {
-        name: (layout.dims(name), np.concatenate([part[name] for part in parts]), layout.attributes(name))
-        for name in layout.names
-    }
+    values = {name: np.concatenate([part[name] for part in parts]) for name in layout.recorded}
+    for name, power in layout.integrals.items():
+        values[name] = running_integral(values[layout.node_time], values[power])
+    joined = {name: (layout.dims(name), values[name], layout.attributes(name)) for name in layout.names}
     coords = coordinates(layout) | {name: joined.pop(name) for name in times}
     return xr.Dataset(joined, coords, dict(attrs))
 
@@ -40,7 +43,7 @@ def static_dataset(
     layout: Layout, block: Block, stiffness: np.ndarray, residual: float, iterations: int, attrs: Mapping[str, object]
 ) -> xr.Dataset:
     """Return the records of one instant, without time, with the stiffness (6, 6) and the verdict of the solver."""
-    ds = to_dataset(layout, [block], attrs).isel(time=0, drop=True)
+    ds = to_dataset(layout, [block], attrs).isel(time=0, drop=True).drop_vars(OVER_TIME, errors="ignore")
     ds["stiffness"] = (("dof", "dof_"), stiffness, attributes("stiffness"))
     for name in ("dof", "dof_"):
         ds.coords[name] = ((name,), np.array(DOF, dtype=object), attributes(name))

@@ -30,6 +30,7 @@ def run_attributes(
         "water_depth": float(model.environment.water_depth),
         "gravity": float(model.environment.gravity),
         "water_density": float(model.environment.water_density),
+        **_seabed(model),
         **_readings(model),
     }
 
@@ -40,6 +41,17 @@ def fingerprint(model: Model, motion: Motion | None, settings: Mapping[str, obje
     content = dataclasses.replace(model, file="", unused_options=(), outputs=outputs)
     text = f"{content!r}{model.text}{_motion_hash(motion)}{sorted(settings.items())!r}"
     return hashlib.sha256(text.encode()).hexdigest()
+
+
+def _seabed(model: Model) -> dict[str, str]:
+    """Return where the depth grid comes from, and what was lost on the way."""
+    grid = model.environment.bathymetry
+    if grid is None:
+        return {}
+    return {
+        "bathymetry": ", ".join(filter(None, [grid.file or "a grid", str(grid.resampling or "")])),
+        "bathymetry_interpolation": "bicubic" if grid.smooth else "bilinear",
+    }
 
 
 def _readings(model: Model) -> dict[str, str]:

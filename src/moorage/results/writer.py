@@ -19,7 +19,8 @@ from moorage.errors import Problem, ResultError
 from moorage.results.bend_check import bend_attributes, has_limits
 from moorage.results.columns import Layout
 from moorage.results.reader import open_result
-from moorage.variables import VARIABLES, attributes
+from moorage.results.seabed import running_integral
+from moorage.variables import FLAGS, VARIABLES, attributes
 
 RUNNING = "running"
 CHUNK_BYTES = 1 << 30  # HDF5 allows 4 GiB
@@ -71,6 +72,7 @@ class StreamWriter:
 
     def append(self, columns: Mapping[str, np.ndarray]) -> None:
         """Write one block; when this returns the block is in the file."""
+        columns = {**columns, **self._integrals(columns)}
         for name, values in columns.items():
             row = self.written[self._time_of(name)]
             if len(values):
@@ -89,13 +91,25 @@ class StreamWriter:
         """Open the file for reading; values are read when they are used."""
         return open_result(self.path)
 
+    def _integrals(self, columns: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
+        """Return the integrals over time, which go on from the last row in the file."""
+        time = self.layout.node_time
+        return {
+            name: running_integral(columns[time], columns[power], self._last_row(time, power, name))
+            for name, power in self.layout.integrals.items()
+        }
+
+    def _last_row(self, time: str, *names: str) -> tuple[np.ndarray, ...] | None:
+        row = self.written[time] - 1
+        return tuple(np.ma.getdata(self._file[name][row]) for name in (time, *names)) if row >= 0 else None
+
     def _time_of(self, name: str) -> str:
         return self.layout.dims(name)[0]
 
     def _create(self, attrs: Mapping[str, object]) -> None:
         self._file.set_fill_off()  # storage is not filled when it is laid out: it may be gigabytes
         self._file.setncatts(dict(attrs))
-        for name, size in self.layout.index.sizes.items():
+        for name, size in self.layout.sizes.items():
             self._file.createDimension(name, size)
         for name, values in self.layout.coordinates().items():
             kind = str if values.dtype == object else values.dtype
@@ -113,11 +127,12 @@ class StreamWriter:
         Its chunk cache is off: HDF5 would rewrite the cached chunk at each flush. What is missing reads as NaN.
         """
         dims = self.layout.dims(name)
-        sizes = [self.layout.index.sizes[dim] for dim in dims[1:]]
+        sizes = [self.layout.sizes[dim] for dim in dims[1:]]
         length = max(1, min(self.rows[dims[0]], CHUNK_BYTES // (8 * max(1, int(np.prod(sizes))))))
-        fill = None if name in ("time", "node_time") else np.nan
+        kind = "i1" if name in FLAGS else "f8"
+        fill = None if name in ("time", "node_time", *FLAGS) else np.nan
         variable = self._file.createVariable(
-            name, "f8", dims, chunksizes=[length, *(max(1, n) for n in sizes)], chunk_cache=1, fill_value=fill
+            name, kind, dims, chunksizes=[length, *(max(1, n) for n in sizes)], chunk_cache=1, fill_value=fill
         )
         extra = {"coordinates": self._coordinates_of(dims)} if self._coordinates_of(dims) else {}
         variable.setncatts(self.layout.attributes(name) | extra)

@@ -1,0 +1,57 @@
+"""Which nodes the seabed holds: friction is below its limit there."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from moorage._jit import inlined, kernel
+from moorage._vec3 import dot, get, scale, sub
+from moorage.layout import line_nodes
+from moorage.physics.bathymetry import bed_at, normal_of
+from moorage.physics.friction import SATURATED, VELOCITY, overload, split_directions
+from moorage.system.assemble import unit_or_zero
+
+BELOW = 0.999  # of the limit: records lie between the ends of steps
+
+
+@kernel
+def find_sticking(system, position, velocity, normal_force, friction_force, sticks):
+    """Write 1 for nodes that the seabed holds, 0 for those that slide or are off it, into `sticks` (nodes,)."""
+    for line in range(len(system.lines.node_ptr) - 1):
+        first, last = line_nodes(system.lines, line)
+        for i in range(first, last + 1):
+            sticks[i] = 0
+            if normal_force[i] == 0.0:
+                continue
+            _, zx, zy, _, _, _ = bed_at(system.contact.bed, position[i, 0], position[i, 1])
+            n = normal_of(zx, zy)
+            q = unit_or_zero(sub(get(position, min(i + 1, last)), get(position, max(i - 1, first))))
+            s, v = split_directions(q, n), get(velocity, i)
+            w = sub(v, scale(dot(v, n), n))
+            N = abs(normal_force[i])
+            if system.friction.law <= VELOCITY:
+                sticks[i] = 1 if ramps(system.friction, N, s, w) else 0
+            else:
+                sticks[i] = 1 if overload(system.friction, N, s, w, get(friction_force, i)) < BELOW else 0
+
+
+@inlined
+def ramps(p, N, s, w):
+    """Whether a law of the velocity is below its peak, along the line and across it."""
+    along = abs(dot(w, s))
+    across = math.sqrt(max(dot(w, w) - along * along, 0.0))
+    if p.law == SATURATED:
+        return p.slope_axial * along <= p.ratio * p.axial * N and p.slope_transverse * across <= p.ratio * (
+            p.transverse * N
+        )
+    return max(along, across) < p.velocity
+
+
+def sticking(system, position, velocity, normal_force, friction_force) -> np.ndarray:
+    """Return for rows of node histories whether the seabed holds a node, (m, nodes), 1 or 0."""
+    sticks = np.zeros(normal_force.shape, dtype=np.int8)
+    for row, out in enumerate(sticks):
+        find_sticking(system, position[row], velocity[row], normal_force[row], friction_force[row], out)
+    return sticks

@@ -1,0 +1,153 @@
+"""What a result holds of the seabed: contact, friction, uplift, touchdown, energy, in memory and on disk."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+from moorings import CHAIN, coupled, fixed, kind, line, mooring, weight_in_water
+
+import moorage
+from moorage.model import Bathymetry, Friction, Motion
+from moorage.results.seabed import running_integral, uplift
+from moorage.variables import VARIABLES
+
+HISTORIES = ["seabed_gap", "seabed_force", "friction_force", "sticking", "friction_power", "touchdown_position"]
+HISTORIES += ["touchdown_arc_length", "dissipated_energy"]
+ANGLE = np.deg2rad(8.0)
+
+
+def spread_of_one(**environment):
+    points = [fixed(1, -600.0, 0.0, -120.0), coupled(2, 0.0, 0.0, -10.0)]
+    return mooring(CHAIN, points, [line(1, 1, 2, ("chain", 640.0, 16))], water_depth=120.0, **environment)
+
+
+def sloping(**environment):
+    """One chain that hangs down to a plane that falls with x, and lies on it up to its anchor."""
+    x = (-700.0, 100.0)
+    depth = tuple((150.0 + value * np.tan(ANGLE),) * 2 for value in x)
+    grid = Bathymetry(x, (-50.0, 50.0), depth)
+    points = [fixed(1, -600.0, 0.0, -grid.depth_at(-600.0, 0.0)), coupled(2, 0.0, 0.0, -10.0)]
+    return mooring(
+        CHAIN, points, [line(1, 1, 2, ("chain", 640.0, 16))], water_depth=150.0, bathymetry=grid, **environment
+    )
+
+
+@pytest.fixture(scope="module")
+def surge():
+    return Motion.from_harmonics(12.0, ramp=3.0, surge=(3.0, 6.0))
+
+
+@pytest.fixture(scope="module")
+def rough(surge):
+    model = spread_of_one(friction=Friction(axial=0.5, transverse=0.7))
+    return moorage.simulate(model, motion=surge, duration=12.0, dt_out=0.25)
+
+
+def test_plain_runs_stay_small(surge):
+    ds = moorage.simulate(spread_of_one(), motion=surge, duration=0.5)
+    assert not {*HISTORIES, "anchor_uplift_force"} & {*ds.variables}
+
+
+@pytest.mark.parametrize("model", [sloping(), spread_of_one(friction=Friction(axial=0.5))], ids=["bed", "friction"])
+def test_only_what_is_sensible(model):
+    static = moorage.solve_statics(model)
+    assert ("friction_force" in static) == (model.environment.friction is not None)
+    assert {"seabed_gap", "seabed_force", "touchdown_position", "anchor_uplift_force"} <= {*static}
+    assert not {"friction_power", "dissipated_energy"} & {*static}
+
+
+def test_variables_have_their_dims(rough):
+    for name in (*HISTORIES, "anchor_uplift_force"):
+        assert rough[name].dims == VARIABLES[name].dims
+        assert rough[name].attrs["units"] == VARIABLES[name].unit
+
+
+def test_normal_force_carries_the_chain_that_lies():
+    static = moorage.solve_statics(spread_of_one(friction=Friction(axial=0.5)))
+    gap, force = static["seabed_gap"].values, static["seabed_force"].values
+    assert np.all((force > 0.0) == (gap < 0.0))
+    weight = weight_in_water(CHAIN) * 40.0
+    np.testing.assert_allclose(force[1:6], weight, rtol=1e-3)  # nodes that lie far from the touchdown
+    lies = float(static["grounded_length"][0])
+    assert lies - 40.0 < float(static["touchdown_arc_length"][0]) < lies + 40.0
+    assert np.isclose(static["touchdown_position"].values[0, 2], -120.0)
+
+
+def test_friction_stays_in_its_cone_and_sticks_inside_it(rough):
+    normal = rough["seabed_force"].values
+    size = np.linalg.norm(rough["friction_force"].values, axis=-1)
+    assert np.all(size <= 0.7 * np.abs(normal) * (1.0 + 1e-6))
+    assert np.all(rough["sticking"].values[normal == 0.0] == 0)
+    slides = (normal > 100.0) & (rough["sticking"].values == 0)
+    assert slides.any()
+    np.testing.assert_allclose(size[slides], 0.5 * normal[slides], rtol=0.02)  # the chain moves along itself
+    assert rough["sticking"].values[:, 1].all()  # beside the anchor nothing moves
+    assert rough["sticking"].dtype == np.int8
+
+
+def test_energy_is_the_work_of_the_friction(rough):
+    power = -(rough["friction_force"].values * rough["node_velocity"].values).sum(axis=(1, 2))
+    energy = rough["dissipated_energy"].values[:, 0]
+    assert energy[-1] == pytest.approx(np.trapezoid(power, rough["time"].values))
+    assert energy[-1] > 0.0
+
+
+@pytest.mark.parametrize("dt_nodes", [None, 0.5])
+def test_a_file_holds_what_memory_does(surge, tmp_path, dt_nodes):
+    model = sloping(friction=Friction(axial=0.5, transverse=0.7, model="stick-slip", static_ratio=1.2))
+    settings = {"motion": surge, "duration": 3.0, "dt_out": 0.25, "dt_nodes": dt_nodes}
+    memory = moorage.simulate(model, **settings)
+    with moorage.simulate(model, output=tmp_path / "run.nc", **settings) as file:
+        for name in (*HISTORIES, "anchor_uplift_force", "anchor_uplift_angle"):
+            np.testing.assert_array_equal(file[name].values, memory[name].values, err_msg=name)
+            assert file[name].dtype == memory[name].dtype
+
+
+def test_slope_of_touchdown_and_uplift():
+    static = moorage.solve_statics(sloping())
+    x, _, z = static["touchdown_position"].values[0]
+    assert z == pytest.approx(-(150.0 + x * np.tan(ANGLE)), abs=0.05)
+    assert static["anchor_uplift_force"].values[0] == 0.0
+    assert static["anchor_uplift_angle"].values[0] == 0.0
+    taut = sloping()
+    short = dataclasses.replace(taut.lines[0].sections[0], length=600.0)
+    taut = dataclasses.replace(taut, lines=(dataclasses.replace(taut.lines[0], sections=(short,)),))
+    static = moorage.solve_statics(taut)
+    force, normal = static["anchor_force"].values[0], np.array([np.sin(ANGLE), 0.0, np.cos(ANGLE)])
+    assert static["grounded_length"].values[0] == pytest.approx(0.5 * 600.0 / 16)  # that of the anchor's node
+    assert static["anchor_uplift_force"].values[0] == pytest.approx(force @ normal)
+    assert static["anchor_uplift_angle"].values[0] == pytest.approx(np.arcsin(force @ normal / np.linalg.norm(force)))
+
+
+@pytest.mark.parametrize("law", ["saturated-damping", "velocity-dependent"])
+def test_laws_of_the_velocity_stick_below_their_peak(law):
+    """A rope pulled at up to 0.3 m/s slides where it is pulled (its laws peak at 0.07 and 0.02 m/s) and sticks beside its anchor."""
+    rope = kind(mass_per_length=100.0, axial_stiffness=1e6)
+    points = [fixed(1, 0.0, 0.0, -50.0), coupled(2, 100.0, 0.0, -50.0)]
+    moved = Motion.from_harmonics(4.0, ramp=1.0, surge=(0.2, 4.0))
+    friction = Friction(axial=0.5, transverse=0.5, model=law, damping=1.6e5, velocity=0.02)
+    model = mooring(rope, points, [line(1, 1, 2, ("rope", 100.0, 8))], water_depth=50.0, friction=friction)
+    ds = moorage.simulate(model, motion=moved, duration=4.0, dt_out=0.1)
+    sticks, along = ds["sticking"].values, np.abs(ds["node_velocity"].values[..., 0])
+    peak = ds["seabed_force"].values / 1.6e5 if law == "saturated-damping" else 0.02
+    lies = ds["seabed_force"].values > 0.0
+    np.testing.assert_array_equal(sticks, lies & (along < peak))
+    assert sticks[:, 1].all()
+    assert not sticks[:, -2].all()
+
+
+def test_uplift_in_the_axes_of_the_bed():
+    normal = np.array([[0.0, 0.6, 0.8]])
+    force = np.array([[[0.0, 8.0, -6.0]], [[0.0, 6.0, 8.0]], [[0.0, -6.0, -8.0]]])
+    up, angle = uplift(force, normal, np.array([[0.0], [0.0], [5.0]]))
+    np.testing.assert_allclose(up[:, 0], [0.0, 10.0, 0.0], atol=1e-12)
+    np.testing.assert_allclose(angle[:, 0], [0.0, np.pi / 2.0, 0.0], atol=1e-12)
+
+
+def test_integral_goes_on_from_block_to_block():
+    time, power = np.linspace(0.0, 2.0, 21), np.linspace(0.0, 4.0, 21)[:, None]
+    whole = running_integral(time, power)
+    np.testing.assert_allclose(whole[:, 0], time**2)
+    second = running_integral(time[8:], power[8:], (time[7], power[7], whole[7]))
+    np.testing.assert_array_equal(second, whole[8:])
+    assert running_integral(time[:0], power[:0]).shape == (0, 1)
