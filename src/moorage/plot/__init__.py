@@ -4,6 +4,16 @@ from moorage.plot.along import plot_along
 from moorage.plot.figure import result_figure, save_figure
 from moorage.plot.moorings import moorings
 from moorage.plot.profile import plot_plan, plot_profile
+from moorage.plot.seabed import seabed_map
 from moorage.plot.tension import plot_tension
 
-__all__ = ["moorings", "plot_along", "plot_plan", "plot_profile", "plot_tension", "result_figure", "save_figure"]
+__all__ = [
+    "moorings",
+    "plot_along",
+    "plot_plan",
+    "plot_profile",
+    "plot_tension",
+    "result_figure",
+    "save_figure",
+    "seabed_map",
+]

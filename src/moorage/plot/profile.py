@@ -8,6 +8,7 @@ from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
 
 from moorage.plot.moorings import held_ends, name_of, only_cables, strands
+from moorage.plot.seabed import Plane, draw_sections
 from moorage.plot.style import COLOURS, QUIET, SEABED, WATER, plain
 from moorage.results.cables import Cable, cables, strand
 
@@ -40,18 +41,17 @@ def plot_profile(ds: xr.Dataset, lines: list[int], ax: Axes) -> Axes:
         ax.plot([], [], color=colour if alone else QUIET, linewidth=4, alpha=0.4, label="during the run")
     _mark_touchdown(ds, lines, ax, origin, direction)
     ax.autoscale_view()
-    return _finish(ds, ax, "hang-off" if only_cables(ds, lines) else None)
+    return _finish(ds, ax, [(origin, direction)], "hang-off" if only_cables(ds, lines) else None)
 
 
 def plot_profiles(ds: xr.Dataset, groups: list[list[int]], ax: Axes) -> Axes:
     """Draw many moorings at time 0 over each other, each in the vertical plane of `plot_profile`."""
-    nodes, shapes = _starts(ds), []
-    for lines in groups:
-        origin, direction = _plane(ds, lines)
+    nodes, shapes, planes = _starts(ds), [], [_plane(ds, lines) for lines in groups]
+    for lines, (origin, direction) in zip(groups, planes, strict=True):
         shapes += [np.stack([(nodes[id][:, :2] - origin) @ direction, nodes[id][:, 2]], axis=-1) for id in lines]
     ax.add_collection(LineCollection(shapes, colors=COLOURS[0], linewidths=0.8, alpha=0.6))
     ax.autoscale_view()
-    return _finish(ds, ax)
+    return _finish(ds, ax, planes)
 
 
 def plot_plan(ds: xr.Dataset, ax: Axes) -> Axes:
@@ -129,13 +129,11 @@ def _at_start(values: xr.DataArray) -> xr.DataArray:
     return values.isel(time=0) if "time" in values.dims else values
 
 
-def _finish(ds: xr.Dataset, ax: Axes, end: str | None = None) -> Axes:
-    """Draw the still water level and the seabed, and label the axes."""
-    depth = float(ds.attrs["water_depth"])
+def _finish(ds: xr.Dataset, ax: Axes, planes: list[Plane], end: str | None = None) -> Axes:
+    """Draw the still water level and the seabed in the planes of the moorings, and label the axes."""
+    floor = min(draw_sections(ds, planes, ax), ax.get_ylim()[0] / 1.06)  # axes that share their limits may be deeper
     ax.axhline(0.0, color=WATER, linewidth=1.2, zorder=1)
-    ax.axhspan(-1.06 * depth, -depth, color=SEABED, alpha=0.35, linewidth=0, zorder=0)
-    ax.axhline(-depth, color=SEABED, linewidth=1.2, zorder=1)
-    ax.set_ylim(-1.06 * depth, max(0.08 * depth, ax.get_ylim()[1]))
+    ax.set_ylim(1.06 * floor, max(-0.08 * floor, ax.get_ylim()[1]))
     plain(ax)
     kinds = [*ds["end_a_kind"].values, *ds["end_b_kind"].values]
     end = end or ("fairlead" if any(kind.startswith("coupled") for kind in kinds) else "end")
