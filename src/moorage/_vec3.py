@@ -123,6 +123,16 @@ def sym_outer(u, v):
 
 
 @inlined
+def outer(u, v):
+    """u v^T, a general 3x3 matrix."""
+    return (
+        u[0] * v[0], u[0] * v[1], u[0] * v[2],
+        u[1] * v[0], u[1] * v[1], u[1] * v[2],
+        u[2] * v[0], u[2] * v[1], u[2] * v[2],
+    )  # fmt: skip
+
+
+@inlined
 def sym_inverse(s):
     a, b, c, d, e, f = s
     A, B, C = d * f - e * e, c * e - b * f, b * e - c * d

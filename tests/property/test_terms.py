@@ -36,7 +36,7 @@ from moorage.physics.bending import (
 from moorage.physics.contact import Contact, contact_energy, contact_fraction, contact_terms
 from moorage.physics.current import Current, current_at
 from moorage.physics.friction import Friction, friction_terms, stuck_after
-from moorage.physics.morison import Morison, drag_terms, hydro_block, inertia_terms, wet_node, wet_part
+from moorage.physics.morison import Morison, drag_terms, drag_turn, hydro_block, inertia_terms, wet_node, wet_part
 from moorage.physics.motion import follow, spline_tracks
 from moorage.physics.point import PointLoads, point_terms, wet_fraction
 from moorage.physics.table import build_tables, interval, look_up
@@ -322,6 +322,18 @@ def test_drag_block_is_minus_the_derivative_to_the_velocity(direction, u):
     none = inertia_terms(0.0, 0.0, q, u, DAMPING)[1]
     block = hydro_block(none, drag_terms(300.0, 40.0, q, u, DAMPING)[1], q)
     agree(full(block), -derivative(lambda *x: drag_terms(300.0, 40.0, q, x, DAMPING)[0], u), 1e-6)
+
+
+@FEW
+@given(VECTORS, VECTORS)
+def test_turn_of_drag_is_the_derivative_to_the_direction(direction, u):
+    q = np.array(direction) / np.linalg.norm(direction)
+    if min(abs(np.dot(q, u)), np.linalg.norm(np.cross(q, u))) < 1e-2:
+        return
+    found = np.array(drag_turn(300.0, 40.0, tuple(q), u)).reshape(3, 3)
+    across = np.eye(3) - np.outer(q, q)
+    expected = derivative(lambda *x: drag_terms(300.0, 40.0, tuple(x / np.linalg.norm(x)), u, DAMPING)[0], q)
+    agree(found @ across, expected, 1e-6)
 
 
 @FEW

@@ -1,8 +1,10 @@
 """Level and slope of the seabed at a place: flat, bilinear on a rectangular grid, or smooth (bicubic) on it.
 
-Bilinear depth is that of Housner et al. 2022, section 2.1: continuous, but its normal jumps from cell to cell. The
-smooth surface passes through the same grid points with slopes from central differences, so that its normal is
-continuous. Outside the grid the nearest edge goes on, level, as in MoorDyn.
+Bilinear depth is that of Housner et al. 2022, section 2.1: continuous, but its normal jumps from cell to cell. With a
+jump a node in a crease, where a chain without friction ends up, has no equilibrium: the bed pushes it to and fro. So
+the slopes change from one cell's to the next over a hundredth of the cell on each side of an edge; the depth stays
+bilinear. The smooth surface passes through the same grid points with slopes from central differences, so that its
+normal is continuous everywhere. Outside the grid the nearest edge goes on, level, as in MoorDyn.
 """
 
 from __future__ import annotations
@@ -14,6 +16,8 @@ import numpy as np
 
 from moorage._jit import inlined
 from moorage.physics.table import interval
+
+EASE = 0.01  # of a cell, beside its edges, where the slopes of two cells meet
 
 
 class Bathymetry(NamedTuple):
@@ -64,12 +68,51 @@ def bed_at(p, x, y):
     if p.smooth:
         z, zu, zv, zuu, zuv, zvv = bicubic(p, i, i1, j, j1, dx, dy, u, v)
     else:
-        a, b, c = p.level[i, j], p.level[i1, j] - p.level[i, j], p.level[i, j1] - p.level[i, j]
-        d = p.level[i1, j1] - p.level[i1, j] - c
-        z, zu, zv, zuu, zuv, zvv = a + b * u + c * v + d * u * v, b + d * v, c + d * u, 0.0, d, 0.0
+        z, zu, zv, zuv = bilinear(p, i, i1, j, j1, u, v)
+        zuu, zvv = 0.0, 0.0
+        if u < EASE or u > 1.0 - EASE:
+            other, share = slope_x_beyond(p, i - 1 if u < 0.5 else i + 1, dx, j, j1, v)
+            zu, zuu = eased(zu, other, share, u)
+        if v < EASE or v > 1.0 - EASE:
+            other, share = slope_y_beyond(p, j - 1 if v < 0.5 else j + 1, dy, i, i1, u)
+            zv, zvv = eased(zv, other, share, v)
     zx, zy = inside_x * zu / dx, inside_y * zv / dy
     both = inside_x * inside_y
     return z, zx, zy, inside_x * zuu / (dx * dx), both * zuv / (dx * dy), inside_y * zvv / (dy * dy)
+
+
+@inlined
+def bilinear(p, i, i1, j, j1, u, v):
+    """Value of the bilinear surface in a cell, its derivatives to u and v, and the mixed one."""
+    a, b, c = p.level[i, j], p.level[i1, j] - p.level[i, j], p.level[i, j1] - p.level[i, j]
+    d = p.level[i1, j1] - p.level[i1, j] - c
+    return a + b * u + c * v + d * u * v, b + d * v, c + d * u, d
+
+
+@inlined
+def slope_x_beyond(p, i, dx, j, j1, v):
+    """Rise along x of the neighbour cell i over a length dx, and the share of it at the edge: all where the grid ends."""
+    if i < 0 or i > len(p.x) - 2:
+        return 0.0, 1.0
+    low, high = p.level[i + 1, j] - p.level[i, j], p.level[i + 1, j1] - p.level[i, j1]
+    return (low + v * (high - low)) * dx / (p.x[i + 1] - p.x[i]), 0.5
+
+
+@inlined
+def slope_y_beyond(p, j, dy, i, i1, u):
+    """Same along y of the neighbour cell j."""
+    if j < 0 or j > len(p.y) - 2:
+        return 0.0, 1.0
+    low, high = p.level[i, j + 1] - p.level[i, j], p.level[i1, j + 1] - p.level[i1, j]
+    return (low + u * (high - low)) * dy / (p.y[j + 1] - p.y[j]), 0.5
+
+
+@inlined
+def eased(slope, other, share, s):
+    """Slope at s within a cell (0 to 1), on its way to `other` beyond the near edge, and its derivative to s."""
+    far = min(s, 1.0 - s) / EASE
+    turn = share * (other - slope)
+    return slope + turn * (1.0 - far), (-turn if s < 0.5 else turn) / EASE
 
 
 @inlined

@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from moorage._jit import inlined
-from moorage._vec3 import add, dot, isotropic_plus, scale, sub
+from moorage._vec3 import add, dot, isotropic_plus, mat_sub, outer, scale, sub
 
 
 class Morison(NamedTuple):
@@ -67,6 +67,27 @@ def drag_terms(normal, axial, q, u, c):
     force = add(scale(-kn, ut), scale(-kt * uq, q))
     along_flow = c.damping * normal / (speed + 1e-9)
     return force, (c.damping * kn, c.damping * (2.0 * kt - kn), along_flow, ut)
+
+
+@inlined
+def drag_turn(normal, axial, q, u):
+    """Derivative of the drag to the direction q, a general 3x3 matrix, N.
+
+    From dF = -n (|u_t| I + u_t u_t^T / |u_t|) du_t - t (2 |u_q| q u^T + |u_q| u.q I) dq, du_t = -(q u^T + u.q I) dq.
+    """
+    uq = dot(u, q)
+    ut = sub(u, scale(uq, q))
+    speed = math.sqrt(dot(ut, ut))
+    kn, kt = normal * speed, axial * abs(uq)
+    along = normal * uq / (speed + 1e-9)
+    # u_t . q = 0, so that (u_t u_t^T) (q u^T + u.q I) = u.q u_t u_t^T
+    turned = mat_sub(outer(scale(kn - 2.0 * kt, q), u), outer(scale(-along, ut), ut))
+    same = (kn - kt) * uq
+    return (
+        turned[0] + same, turned[1], turned[2],
+        turned[3], turned[4] + same, turned[5],
+        turned[6], turned[7], turned[8] + same,
+    )  # fmt: skip
 
 
 @inlined

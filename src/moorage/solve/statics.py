@@ -30,13 +30,17 @@ class Equilibrium(NamedTuple):
 def natural_tolerance(built: Built) -> float:
     """Return the imbalance (N) that counts as none: 1e-7 of the largest node weight or submerged weight, at least 1 mN.
 
-    What EA times the rounding of a coordinate gives (EA / l * 1e-16 * size) is added, for less cannot be reached.
+    What rounding gives is added.
     """
-    system = built.system
-    weights = np.abs(system.weight.dry).max(initial=0.0) + np.abs(system.weight.buoyancy).max(initial=0.0)
+    weight = built.system.weight
+    weights = np.abs(weight.dry).max(initial=0.0) + np.abs(weight.buoyancy).max(initial=0.0)
+    return float(max(1e-3, 1e-7 * weights)) + rounding(built)
+
+
+def rounding(built: Built) -> float:
+    """Return the force (N) that the last digit of a coordinate stands for: less imbalance cannot be reached."""
     size = np.abs(built.state.position).max(initial=1.0)
-    rounding = 16.0 * np.finfo(float).eps * size * system.tension.spring.max(initial=0.0)
-    return float(max(1e-3, 1e-7 * weights) + rounding)
+    return float(16.0 * np.finfo(float).eps * size * built.system.tension.spring.max(initial=0.0))
 
 
 def solve(built: Built, tolerance: float | None = None) -> Equilibrium:
@@ -47,26 +51,26 @@ def solve(built: Built, tolerance: float | None = None) -> Equilibrium:
     built : Built
         Its state holds the first guess, and then the equilibrium (velocities zero).
     tolerance : float, optional
-        Largest accepted imbalance, N; see `natural_tolerance`.
+        Largest accepted imbalance, N; see `natural_tolerance`. Never less than `rounding`.
 
     Raises
     ------
     ConvergenceError
         No equilibrium within the iterations; the state is left as it was.
     """
-    accepted = natural_tolerance(built) if tolerance is None else tolerance
+    accepted = natural_tolerance(built) if tolerance is None else max(tolerance, rounding(built))
     begin = copy_of(built.state)
     system, laid = with_static_friction(built.system), built.system.friction.laid
     islands = system.islands
     worst, where, used, damped = 0.0, -1, 0, 0
     for island in range(len(islands.line_ptr) - 1):
-        given = system, built.state, built.work, island, _reach(built, island), accepted
-        force, row, n, d = relax_island(*given, QUICK)
+        reach = _reach(built, island)
+        force, row, n, d = relax_island(system, built.state, built.work, island, reach, accepted, QUICK)
         used, damped = used + n, damped + d
         if not force < accepted:
             _put_back(built, island, begin)
-            force, row, n, d = descend_island(*given, ITERATIONS)
-            used, damped = used + n, damped + d
+            force, row, n = _descend(built, system, island, reach, accepted)
+            used, damped = used + n, damped + n
         if not force <= worst:
             worst, where = force, row
     if not worst < max(accepted, 1e-300):
@@ -98,6 +102,21 @@ def rest(built: Built) -> None:
     for island in range(len(built.system.islands.line_ptr) - 1):
         place_at_rest(built.system, built.state, built.work, island)
         stick_where_it_is(built.system, built.state, island)
+
+
+def _descend(built: Built, system: System, island: int, reach: float, accepted: float) -> tuple[float, int, int]:
+    """Find equilibrium by descent in still water, and raise the current from there.
+
+    Returns the largest imbalance (N), its row and the iterations.
+    """
+    still = system._replace(current=system.current._replace(velocity=np.zeros_like(system.current.velocity)))
+    force, row, used, _ = descend_island(still, built.state, built.work, island, reach, accepted, ITERATIONS)
+    if system.current.velocity.any() and force < accepted:
+        from moorage.solve.whole_jacobian import raise_current  # SciPy's sparse matrices take 0.1 s to import
+
+        force, row, n = raise_current(built, system, island, reach, accepted)
+        used += n
+    return force, row, used
 
 
 def _put_back(built: Built, island: int, begin: State) -> None:

@@ -2,7 +2,8 @@
 
 Continuation is fast and fails for a line in some forty, mostly long slack ones in the surface or under a heavy clump.
 Descent takes two to three times the iterations and does not: without bending and current the potential energy is
-convex (a rope's grows with its length, the surface and the bed push back), so that it cannot go astray.
+convex (a rope's grows with its length, the surface and the bed push back), so that it cannot go astray. A current is
+raised afterwards, see `whole_jacobian`.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Out-of-balance force and Newton matrix of a line, from the terms of its nodes, segments and bends.
 
-What the matrix leaves out, to stay symmetric: how the *direction* of inertia, drag and damping turns with the position,
-and how added mass and drag change as a node crosses the surface. All else is exact.
+What the matrix leaves out, to stay symmetric: how the *direction* of inertia, drag and damping turns with the position
+(`turn_of_drag` is apart), and how added mass and drag change as a node crosses the surface. All else is exact.
 """
 
 from __future__ import annotations
@@ -16,9 +16,11 @@ from moorage._vec3 import (
     add,
     dot,
     get,
+    isotropic_plus,
     mat_accumulate,
     mat_put,
     mat_scale,
+    mat_sym,
     mat_transpose,
     put,
     scale,
@@ -46,7 +48,7 @@ from moorage.physics.bending import (
 from moorage.physics.contact import contact_terms, near_bed
 from moorage.physics.current import current_at
 from moorage.physics.friction import NONE, friction_terms
-from moorage.physics.morison import drag_terms, hydro_block, inertia_terms, wet_node, wet_part
+from moorage.physics.morison import drag_terms, drag_turn, hydro_block, inertia_terms, wet_node, wet_part
 from moorage.physics.tension import tension_terms
 from moorage.physics.weight import wet_shares
 
@@ -152,6 +154,23 @@ def bed_terms(system, i, q, r, v, before, stuck, c):
         rub, rub_block = friction_terms(system.friction, i, abs(N), n, q, r, v, stuck, c)
         force, block = add(force, rub), sym_add(block, rub_block)
     return force, block
+
+
+@kernel
+def turn_of_drag(system, state, line, turn):
+    """Set in `turn` (rows, 9) how the drag on a node changes as the next node moves, N/m; minus that as the one before does.
+
+    Nodes in the surface count with all of their drag.
+    """
+    first, last = line_nodes(system.lines, line)
+    for i in range(first, last + 1):
+        e = sub(get(state.position, min(i + 1, last)), get(state.position, max(i - 1, first)))
+        q = unit_or_zero(e)
+        u = sub(get(state.velocity, i), current_at(system.current, get(state.position, i)[2]))
+        _, _, normal, axial = wet_node(system.morison, np.uintp(i))
+        across = isotropic_plus(1.0, -1.0, q)
+        H = mat_sym(drag_turn(normal, axial, q, u), across)
+        mat_put(turn, i, mat_scale(1.0 / math.sqrt(max(dot(e, e), 1e-300)), H))
 
 
 @kernel
