@@ -26,12 +26,13 @@ EI = 2e4
 PARTS = sections(("beam", 6.0, 5, 3.0), ("beam", 4.0, 5))
 A, B = np.array([1.0, 2.0, -30.0]), np.array([7.0, 5.0, -33.0])
 OUT, IN = np.array([0.8, 0.6, 0.0]), np.array([0.0, 0.6, -0.8])
+AHEAD = np.eye(3)
 TURNS = [turned(0.7, (1.0, 0.0, 0.0)), turned(2.0, (0.3, -0.5, 0.8)), turned(np.pi, (0.0, 1.0, 1.0))]
 
 
-def shaken(turn=np.eye(3), flavour: str = "native", directions: bool = True):
+def shaken(turn=AHEAD, flavour: str = "native", directions: bool = True):
     """The built cable in one and the same bent shape, turned about the origin."""
-    aim = turn if directions else np.eye(3)
+    aim = turn if directions else AHEAD
     model = between(beam(EI), PARTS, turn @ A, aim @ OUT, turn @ B, aim @ IN, end_b_stiffness=3e4)
     built = build(dataclasses.replace(model, flavour=flavour))
     rest(built)

@@ -25,15 +25,16 @@ from moorage.solve.statics import solve
 from moorage.system.build import build
 
 LENGTH, EI, ARM = 6.0, 2e4, np.array([2.0, 0.5, -3.0])
+AHEAD = np.eye(3)
 CABLE = beam(EI, mass_per_length=15.0, axial_stiffness=1e6, axial_damping_ratio=0.3)
 
 
-def model(hold: str, turn=np.eye(3), weight: float = GRAVITY):
+def model(hold: str, turn=AHEAD, weight: float = GRAVITY):
     """A cable along x from a rod: on the coupled body at the origin, coupled itself, or fixed and turned with its arm."""
     rod = clamp(1, turn @ ARM, turn @ [1.0, 0.0, 0.0])
     kind = "coupled" if hold == "coupled" else "fixed"
     rod = dataclasses.replace(rod, kind=kind, body=1 if hold == "body" else None)
-    tip = free(1, *(turn @ (ARM + [LENGTH, 0.0, 0.0])), mass=20.0)
+    tip = free(1, *(turn @ (ARM + LENGTH * AHEAD[0])), mass=20.0)
     cable = dataclasses.replace(line(1, held(rod, "B"), 1), sections=sections(("beam", LENGTH, 12)))
     system = mooring(CABLE, (tip,), (cable,), (rod,), **(VACUUM | {"gravity": weight}))
     bodies = (Body(id=1, kind="coupled", position=(0.0, 0.0, 0.0)),) if hold == "body" else ()
