@@ -91,7 +91,9 @@ ModelFile = Annotated[
     Path, typer.Argument(metavar="FILE", help="Model: MoorDyn v2 or v1, MoorDyn-F driver, or native YAML.")
 ]
 ResultFile = Annotated[Path, typer.Argument(metavar="RESULT.nc", help="What a run wrote.")]
-Raise = Annotated[bool, typer.Option("--raise-to-seabed", help="Move fixed points that are below the seabed up to it.")]
+Raise = Annotated[
+    bool, typer.Option("--raise-to-seabed", help="Put anchors that are below the seabed, or over its grid, on it.")
+]
 
 
 def print_version(asked: bool) -> None:
@@ -116,7 +118,7 @@ def run(
     motion: Annotated[Path | None, typer.Option(help="Motion of the coupled points (CSV or MoorDyn-F).")] = None,
     duration: Annotated[float | None, typer.Option(help="Time to simulate, s (default: that of the motion).")] = None,
     dt_out: Annotated[float | None, typer.Option(help="Interval of results, s (default: the file's, or 0.1).")] = None,
-    tolerance: Annotated[float | None, typer.Option(help="Error of a step in position, m (default: 0.002).")] = None,
+    tolerance: Annotated[float | None, typer.Option(help="Error of a step in position, m (default: ~0.002).")] = None,
     time_step: Annotated[float | None, typer.Option(help="Constant step, s, instead of the adaptive one.")] = None,
     method: Annotated[Method, typer.Option(help="Time integration; rk2 and rk4 need --time-step.")] = Method.implicit,
     start: Annotated[Start | None, typer.Option(help="State at time 0 (default: what the file says).")] = None,

@@ -152,6 +152,52 @@ def test_points_off_the_grid_are_told():
     )  # the same for all x
 
 
+def test_anchors_that_do_not_meet_the_bed_are_told_and_put_on_it(tmp_path):
+    path = tmp_path / "model.yaml"
+    path.write_text(NATIVE.replace("[-800, 0, seabed]", "[-800, 0, -206.5]"))  # the grid is 209 m deep there
+    (problem,) = suspicious(read(path))
+    assert "anchor (fixed point 1) stands 2.5 m over the seabed of the depth grid" in str(problem)
+    assert "model.yaml:12" in str(problem)
+    assert "--raise-to-seabed" in problem.remedy
+    raised = read(path, raise_to_seabed=True)
+    assert raised.points[0].position[2] == pytest.approx(-209.0)
+    assert suspicious(raised) == []
+    path.write_text(NATIVE.replace("[-800, 0, seabed]", "[-800, 0, -209.5]"))
+    with pytest.raises(
+        ModelError, match=r"model.yaml:12: fixed point 1 is 0.5 m below the seabed.*\n.*--raise-to-seabed"
+    ):
+        read(path)
+    assert read(path, raise_to_seabed=True).points[0].position[2] == pytest.approx(-209.0)
+
+
+GRID_FILE = "1000 2000 -200\n1001 2000 -201\n1000 2001 -200\n1001 2001 -201\n"
+RASTERS = {
+    "no system": (GRID_FILE, "file: survey.xyz", "model.yaml:5: raster has no coordinate system"),
+    "degrees": (
+        "3.0 54.0 -200\n3.1 54.0 -201\n3.0 54.1 -200\n3.1 54.1 -201\n",
+        "file: survey.xyz, crs: EPSG:32631",
+        "model.yaml:5: coordinate system is in degrees where metres are needed",
+    ),
+    "hole": (
+        GRID_FILE.replace("1001 2001 -201\n", ""),
+        "file: survey.xyz, crs: metres, origin: [1000, 2000]",
+        "model.yaml:5: 1 of 4 points of the depth grid have no depth in survey.xyz, the first at x 1 m, y 1 m",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", RASTERS)
+def test_rasters_of_native_files(tmp_path, name):
+    text, seabed, message = RASTERS[name]
+    (tmp_path / "survey.xyz").write_text(text)
+    start, end = NATIVE.index("  bathymetry:"), NATIVE.index("line_types:")
+    path = tmp_path / "model.yaml"
+    path.write_text(f"{NATIVE[:start]}  bathymetry: {{{seabed}}}\n{NATIVE[end:]}")
+    with pytest.raises(ModelError, match=message) as caught:
+        read(path)
+    assert caught.value.problems[0].remedy
+
+
 def test_a_line_that_lies_off_the_grid_at_the_end_is_told(tmp_path):
     points = [free(1, -600.0, 40.0, -120.0), coupled(2, -450.0, 0.0, -10.0)]
     model = mooring(CHAIN, points, [line(1, 1, 2, ("chain", 250.0, 5))], water_depth=120.0, bathymetry=GRID)

@@ -7,9 +7,10 @@ from itertools import pairwise
 from math import isfinite
 
 from moorage.errors import Problem
-from moorage.model.bed_doubts import extent, is_anchor, is_inside
+from moorage.model.bed_doubts import extent, is_inside
 from moorage.model.environment import Bathymetry
 from moorage.model.model import Model
+from moorage.model.seabed import is_anchor
 
 
 def depths_are_positive(model: Model) -> Iterator[Problem]:

@@ -5,9 +5,10 @@ from __future__ import annotations
 from math import pi
 
 from moorage.errors import Problem
-from moorage.model.components import Line, Point
-from moorage.model.environment import Bathymetry, Environment
+from moorage.model.components import Line
+from moorage.model.environment import Bathymetry
 from moorage.model.model import Model
+from moorage.model.seabed import above_seabed, is_anchor
 
 SPEED = 0.1  # m/s, at which saturated damping should be Coulomb's friction
 ENOUGH = 0.9
@@ -73,11 +74,19 @@ def points_off_the_grid(model: Model) -> list[Problem]:
     ]
 
 
-def is_anchor(point: Point, environment: Environment) -> bool:
-    """Return whether a point is held at the seabed: fixed, and nearer to it than to the water's surface."""
-    if point.kind != "fixed" or point.body is not None:
-        return False
-    return point.on_seabed or point.position[2] < -0.5 * environment.depth_at(*point.position[:2])
+def anchors_over_the_bed(model: Model) -> list[Problem]:
+    """Return the anchors that stand a little over a depth grid; those below it are refused."""
+    found = [(point, above_seabed(point, model.environment)) for point in model.points]
+    return [
+        Problem(
+            f"anchor (fixed point {point.id}) stands {gap:.3g} m over the seabed of the depth grid",
+            "write seabed for its z, or read with raise_to_seabed (--raise-to-seabed)",
+            point.source,
+            point.position[2],
+        )
+        for point, gap in found
+        if gap > 0.0
+    ]
 
 
 def is_inside(grid: Bathymetry, x: float, y: float) -> bool:

@@ -10,7 +10,7 @@ from typing import Any
 
 from moorage.errors import ModelError, Problem, Source
 from moorage.model.bed_checks import anchors_are_on_the_grid, depths_are_positive, friction_is_possible
-from moorage.model.bed_doubts import points_off_the_grid, weak_friction
+from moorage.model.bed_doubts import anchors_over_the_bed, points_off_the_grid, weak_friction
 from moorage.model.cables import (
     directions_are_given,
     joints_are_joints,
@@ -42,7 +42,7 @@ def problems_of(model: Model) -> list[Problem]:
 
 def suspicious(model: Model) -> list[Problem]:
     """Return what can be run but is hardly meant."""
-    return pinned_junctions(model) + weak_friction(model) + points_off_the_grid(model)
+    return pinned_junctions(model) + weak_friction(model) + points_off_the_grid(model) + anchors_over_the_bed(model)
 
 
 def _named(model: Model) -> Iterator[tuple[str, object, Source | None]]:

@@ -9,6 +9,7 @@ from moorage.model.environment import Environment
 from moorage.model.model import Model
 
 TOLERANCE = 1e-3  # m; coordinates in files are rounded
+ABOVE, NEAR = 0.1, 0.1  # m over a depth grid that is no rounding, and part of the depth that is no anchor any more
 
 
 def below_seabed(point: Point, environment: Environment) -> float:
@@ -20,9 +21,29 @@ def below_seabed(point: Point, environment: Environment) -> float:
     return -depth - z if z < -depth - TOLERANCE else 0.0
 
 
+def above_seabed(point: Point, environment: Environment) -> float:
+    """Return how far (m) a fixed point stands over a depth grid, 0 when it stands on it or is no anchor.
+
+    Over a flat seabed this is nothing to doubt: its depth is in sight of the point's z.
+    """
+    if point.kind != "fixed" or point.body is not None or point.on_seabed or environment.bathymetry is None:
+        return 0.0
+    x, y, z = point.position
+    depth = environment.depth_at(x, y)
+    return z + depth if ABOVE < z + depth < NEAR * depth else 0.0
+
+
+def is_anchor(point: Point, environment: Environment) -> bool:
+    """Return whether a point is held at the seabed: fixed, and nearer to it than to the water's surface."""
+    if point.kind != "fixed" or point.body is not None:
+        return False
+    return point.on_seabed or point.position[2] < -0.5 * environment.depth_at(*point.position[:2])
+
+
 def raise_to_seabed(model: Model) -> Model:
-    """Return the model with its fixed points that stand below the seabed moved up to it."""
-    return _with_points(model, lambda point: below_seabed(point, model.environment) > 0.0)
+    """Return the model with its fixed points that stand below the seabed, or a little above it, put on it."""
+    env = model.environment
+    return _with_points(model, lambda point: below_seabed(point, env) > 0.0 or above_seabed(point, env) > 0.0)
 
 
 def place_on_seabed(model: Model) -> Model:
