@@ -29,7 +29,7 @@ def run(job):
         `cpu`, `wall` (repeat,) of the time loop, s; `cpu_build`, `cpu_statics`, s; `end_tension` (n, lines) of the last
         segments, N; `steps`, `rejected`, `iterations`.
     """
-    duration, tolerance = float(job["duration"]), float(job["tolerance"]) or Settings().tolerance
+    duration, tolerance = float(job["duration"]), float(job["tolerance"]) or None
     settings = Settings(time_step=float(job["time_step"]) or None, tolerance=tolerance, dt_out=float(job["dt_out"]))
     if not job["threaded"]:
         march.THREAD_NODES = 10**12

@@ -175,7 +175,7 @@ def static(
     if as_json:
         typer.echo(json.dumps(moorage.results.static_report(ds), indent=2))
     else:
-        console.static_tables(ds, moorage.results.cable_reports(ds))
+        console.static_tables(ds, moorage.results.cable_reports(ds), moorage.results.seabed_reports(ds))
 
 
 @app.command()
@@ -271,9 +271,12 @@ def announce_compiling() -> None:
 
 
 def show_run(ds: xr.Dataset) -> None:
-    """Print what a result says of its run, and the table of its lines."""
+    """Print what a result says of its run, and the tables of its lines and the seabed."""
     console.run_summary(ds.attrs)
     console.line_table(moorage.results.line_summaries(ds), str(ds.attrs["start"]))
+    seabed = moorage.results.seabed_reports(ds)
+    if seabed:
+        console.seabed_table(seabed)
 
 
 def main() -> None:

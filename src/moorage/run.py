@@ -37,7 +37,7 @@ from moorage.results import (
 )
 from moorage.solve.clamps import warn_of_clamps
 from moorage.solve.host import HostMarch
-from moorage.solve.march import Block, March, Settings
+from moorage.solve.march import Block, March, Settings, default_tolerance
 from moorage.solve.statics import rest, solve
 from moorage.solve.stiffness import platform_stiffness
 from moorage.streaming import Progress, stream
@@ -111,7 +111,8 @@ def simulate(
     dt_nodes : float, optional
         Interval of node positions, velocities and segment tensions, s; by default `dt_out`.
     tolerance : float, optional
-        Accepted local error of a step in the positions, m; by default 0.002, about 1 % rms of tension or better.
+        Accepted local error of a step in the positions, m; by default 0.002 for segments of 1 to 20 m, more for longer
+        ones and less for shorter ones: about 1 % rms of tension or better.
     time_step : float, optional
         A constant step, s, instead of the adaptive one; rk2 and rk4 need it.
     method : {"implicit", "rk2", "rk4"}
@@ -144,7 +145,7 @@ def simulate(
         "duration": duration,
         "dt_out": (model.output_interval or 0.1) if dt_out is None else dt_out,
         "dt_nodes": dt_nodes,
-        "tolerance": Settings().tolerance if tolerance is None else tolerance,
+        "tolerance": tolerance,
         "time_step": time_step,
         "method": method,
         "start": model.start if start is None else start,
@@ -165,7 +166,11 @@ def simulate(
     march = March(built, settings, (rows["time"] - 1) * settings.dt_out, later)
     if saved is not None:
         march.restore(saved.state)
-    words = {"time_step": time_step or "adaptive", "dt_nodes": settings.dt_nodes or "none"}
+    words = {
+        "tolerance": default_tolerance(built) if tolerance is None else tolerance,
+        "time_step": time_step or "adaptive",
+        "dt_nodes": settings.dt_nodes or "none",
+    }
     attrs = run_attributes(model, motion, chosen | words | friction_in_statics(model), VERSION)
     if output is None:
         result = stream(march, MemoryResult(layout, attrs), layout, progress)
@@ -218,7 +223,7 @@ class Simulation:
         time_step: float | None = None,
         method: Literal["implicit", "rk2", "rk4"] = "implicit",
     ):
-        chosen = {"tolerance": Settings().tolerance if tolerance is None else tolerance, "time_step": time_step}
+        chosen = {"tolerance": tolerance, "time_step": time_step}
         _check_settings({**chosen, "method": method}, False, None)
         _accept(model)
         _only_points_are_coupled(model)
@@ -346,7 +351,7 @@ def _settings(model: Model, chosen: dict) -> Settings:
     dt_nodes = (chosen["dt_nodes"] or chosen["dt_out"]) if chosen["save"] == "all" else None
     return Settings(
         method=chosen["method"],
-        tolerance=float(chosen["tolerance"]),
+        tolerance=chosen["tolerance"],
         time_step=chosen["time_step"],
         dt_out=float(chosen["dt_out"]),
         dt_nodes=dt_nodes and float(dt_nodes),

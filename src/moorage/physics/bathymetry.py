@@ -91,7 +91,7 @@ def bilinear(p, i, i1, j, j1, u, v):
 
 @inlined
 def slope_x_beyond(p, i, dx, j, j1, v):
-    """Rise along x of the neighbour cell i over a length dx, and the share of it at the edge: all where the grid ends."""
+    """Rise along x of the neighbour cell i over a length dx, and its share at the edge: all where the grid ends."""
     if i < 0 or i > len(p.x) - 2:
         return 0.0, 1.0
     low, high = p.level[i + 1, j] - p.level[i, j], p.level[i + 1, j1] - p.level[i, j1]

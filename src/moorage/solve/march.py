@@ -13,7 +13,7 @@ from scipy.sparse import csr_array
 
 from moorage.errors import SimulationError
 from moorage.layout import new_state
-from moorage.physics.friction import remembers
+from moorage.physics.friction import NONE
 from moorage.physics.motion import sample_track
 from moorage.solve import record as columns
 from moorage.solve.march_kernel import OK, UNSTABLE, Clocks, Control, march_islands, start_islands
@@ -33,9 +33,9 @@ class Settings(NamedTuple):
     Parameters
     ----------
     method : {"implicit", "rk2", "rk4"}
-    tolerance : float
+    tolerance : float or None
         Accepted error h^2 |a1 - a0| of a step in the position of the nodes (rms over an island), m; also scales the
-        velocity increment at which Newton's method stops. 0.002 m gives tensions to 1 % rms or better.
+        velocity increment at which Newton's method stops. None: see `default_tolerance`.
     time_step : float or None
         Constant step, s; None: adaptive (implicit only).
     dt_out : float
@@ -47,11 +47,21 @@ class Settings(NamedTuple):
     """
 
     method: str = "implicit"
-    tolerance: float = 0.002
+    tolerance: float | None = None
     time_step: float | None = None
     dt_out: float = 0.1
     dt_nodes: float | None = None
     watch: tuple[tuple[int, int], ...] = ()
+
+
+def default_tolerance(built: Built) -> float:
+    """Return the tolerance (m) that gives tensions to 1 % rms or better: 2 mm for segments of 1 to 20 m.
+
+    An error in position stands for EA / l times as much tension, so that long segments bear more; and what is small
+    for a mooring at sea is not for one in a basin.
+    """
+    shortest = float(built.names.segment_length.min(initial=np.inf))
+    return max(1e-4 * shortest, min(2e-3, 2e-3 * shortest)) if np.isfinite(shortest) else 2e-3
 
 
 def control_of(settings: Settings, built: Built) -> Control:
@@ -60,6 +70,7 @@ def control_of(settings: Settings, built: Built) -> Control:
     if settings.method not in orders:
         raise ValueError(f"method is one of {', '.join(orders)}, not {settings.method!r}")
     order, adaptive = orders[settings.method], settings.time_step is None
+    tolerance = default_tolerance(built) if settings.tolerance is None else settings.tolerance
     if order and adaptive:
         raise ValueError(f"method {settings.method!r} needs a time step: it does not control its own")
     return Control(
@@ -68,11 +79,11 @@ def control_of(settings: Settings, built: Built) -> Control:
         step=0.02 if settings.time_step is None else float(settings.time_step),
         step_min=1e-7,
         step_max=0.15,
-        error=settings.tolerance if adaptive else 1e30,
+        error=tolerance if adaptive else 1e30,
         rho=0.7,
         # a Newton step within 25 tolerances is good enough, but not to tell which nodes slip: those at rest would creep
-        newton=(1.0 if remembers(built.system.friction) else 25.0) * settings.tolerance,
-        leftover=0.25 * settings.tolerance * force_scales(built),
+        newton=(25.0 if built.system.friction.law == NONE else 1.0) * tolerance,
+        leftover=0.25 * tolerance * force_scales(built),
         stretch=stretch_scales(built),
         iterations=10,
     )

@@ -51,25 +51,30 @@ def solve(built: Built, tolerance: float | None = None) -> Equilibrium:
     built : Built
         Its state holds the first guess, and then the equilibrium (velocities zero).
     tolerance : float, optional
-        Largest accepted imbalance, N; see `natural_tolerance`. Never less than `rounding`.
+        Largest imbalance to reach, N; see `natural_tolerance`. Where it is less than `rounding`, that is accepted.
 
     Raises
     ------
     ConvergenceError
         No equilibrium within the iterations; the state is left as it was.
     """
-    accepted = natural_tolerance(built) if tolerance is None else max(tolerance, rounding(built))
+    asked = natural_tolerance(built) if tolerance is None else tolerance
+    accepted = max(asked, rounding(built))
     begin = copy_of(built.state)
     system, laid = with_static_friction(built.system), built.system.friction.laid
     islands = system.islands
     worst, where, used, damped = 0.0, -1, 0, 0
     for island in range(len(islands.line_ptr) - 1):
         reach = _reach(built, island)
-        force, row, n, d = relax_island(system, built.state, built.work, island, reach, accepted, QUICK)
+        force, row, n, d = relax_island(system, built.state, built.work, island, reach, asked, QUICK)
         used, damped = used + n, damped + d
         if not force < accepted:
             _put_back(built, island, begin)
-            force, row, n = _descend(built, system, island, reach, accepted)
+            force, row, n, d = descend_island(system, built.state, built.work, island, reach, accepted, ITERATIONS)
+            used, damped = used + n, damped + d
+        if not force < accepted and system.current.velocity.any():
+            _put_back(built, island, begin)
+            force, row, n = _from_still_water(built, system, island, reach, accepted)
             used, damped = used + n, damped + n
         if not force <= worst:
             worst, where = force, row
@@ -104,19 +109,21 @@ def rest(built: Built) -> None:
         stick_where_it_is(built.system, built.state, island)
 
 
-def _descend(built: Built, system: System, island: int, reach: float, accepted: float) -> tuple[float, int, int]:
+def _from_still_water(
+    built: Built, system: System, island: int, reach: float, accepted: float
+) -> tuple[float, int, int]:
     """Find equilibrium by descent in still water, and raise the current from there.
 
     Returns the largest imbalance (N), its row and the iterations.
     """
+    from moorage.solve.whole_jacobian import raise_current  # noqa: PLC0415  SciPy's sparse matrices take 0.1 s
+
     still = system._replace(current=system.current._replace(velocity=np.zeros_like(system.current.velocity)))
     force, row, used, _ = descend_island(still, built.state, built.work, island, reach, accepted, ITERATIONS)
-    if system.current.velocity.any() and force < accepted:
-        from moorage.solve.whole_jacobian import raise_current  # SciPy's sparse matrices take 0.1 s to import
-
-        force, row, n = raise_current(built, system, island, reach, accepted)
-        used += n
-    return force, row, used
+    if not force < accepted:
+        return force, row, used
+    force, row, n = raise_current(built, system, island, reach, accepted)
+    return force, row, used + n
 
 
 def _put_back(built: Built, island: int, begin: State) -> None:

@@ -158,7 +158,7 @@ def bed_terms(system, i, q, r, v, before, stuck, c):
 
 @kernel
 def turn_of_drag(system, state, line, turn):
-    """Set in `turn` (rows, 9) how the drag on a node changes as the next node moves, N/m; minus that as the one before does.
+    """Set in `turn` (rows, 9) how the drag on a node changes as the next node moves, N/m: minus it for the one before.
 
     Nodes in the surface count with all of their drag.
     """
