@@ -18,7 +18,7 @@ if TYPE_CHECKING:  # xarray is heavy, and --help must be light
     import xarray as xr
 
     from moorage.model import Model
-    from moorage.results import CableReport, LineSummary
+    from moorage.results import CableReport, LineSummary, SeabedReport
 
 out, err = Console(highlight=False), Console(stderr=True, highlight=False)
 
@@ -68,6 +68,8 @@ def run_summary(attrs: Mapping[str, Any]) -> None:
             "run": f"{attrs['duration']:g} s, results every {attrs['dt_out']:g} s, start {attrs['start']}",
             "method": f"{attrs['method']}, {stepping}"
             + (f": {attrs['steps']} steps, {attrs['rejected']} rejected" if "steps" in attrs else ""),
+            "seabed": attrs.get("bathymetry", ""),
+            "friction in statics": attrs.get("friction_in_statics", "") if attrs["start"] == "static" else "",
             "moorage": f"{attrs['moorage_version']}, {attrs['date']}",
             "status": "killed before it was complete" if attrs["status"] == "running" else attrs["status"],
         }
@@ -88,6 +90,23 @@ def line_table(rows: Iterable[LineSummary], start: str) -> None:
         table.add_row(str(row.line), "fairlead", *(f"{v / scale:.1f}" for v in row.fairlead))
         rest = (f"{row.lowest_tension / scale:.1f}", f"{degrees(row.uplift):.1f}", f"{row.grounded:.1f}")
         table.add_row("", "anchor", *(f"{v / scale:.1f}" for v in row.anchor), *rest)
+    _print(table)
+
+
+def seabed_table(reports: Sequence[SeabedReport], run: bool = True) -> None:
+    """Print what the seabed does to every line, of a run or of statics."""
+    unit, scale = tension_unit(max((r.uplift_force for r in reports), default=0.0))
+    least = ["least", "largest"] if run else []
+    table = _table(
+        f"\nTouchdown and its arc length from end A (m),\nlargest uplift force at end A ({unit})"
+        + (", friction's energy (kJ)" if run else ""),
+        ["line", "x", "y", "z", "arc", *least, "uplift", *(["friction"] if run else [])],
+    )
+    for r in reports:
+        arcs = r.touchdown_arc_length if run else r.touchdown_arc_length[:1]
+        energy = [_number(r.dissipated_energy / 1e3, 2)] if run else []
+        places = [_number(value, 1) for value in (*r.touchdown_position, *arcs)]
+        table.add_row(str(r.line), *places, _number(r.uplift_force / scale, 2), *energy)
     _print(table)
 
 
@@ -126,8 +145,8 @@ def _number(value: float, digits: int) -> str:
     return f"{value:.{digits}f}" if isfinite(value) else "-"
 
 
-def static_tables(ds: xr.Dataset, cables: Sequence[CableReport] = ()) -> None:
-    """Print a static solution: lines, cables, points, stiffness, verdict."""
+def static_tables(ds: xr.Dataset, cables: Sequence[CableReport] = (), seabed: Sequence[SeabedReport] = ()) -> None:
+    """Print a static solution: lines, seabed, cables, points, stiffness, verdict."""
     unit, scale = tension_unit(float(ds["fairlead_tension"].max()))
     table = _table(
         f"Static equilibrium ({unit}, deg, m)",
@@ -139,6 +158,8 @@ def static_tables(ds: xr.Dataset, cables: Sequence[CableReport] = ()) -> None:
         uplift, grounded = degrees(float(ds["anchor_uplift_angle"][k])), float(ds["grounded_length"][k])
         table.add_row(str(id), *tensions, f"{uplift:.1f}", f"{grounded:.1f}")
     _print(table)
+    if seabed:
+        seabed_table(seabed, run=False)
     if cables:
         cable_table(cables)
     table = _table(f"\nForce of the lines on each point ({unit})", ["point", "kind", "x", "y", "z", "Fx", "Fy", "Fz"])

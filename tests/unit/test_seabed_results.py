@@ -4,10 +4,11 @@ import dataclasses
 
 import numpy as np
 import pytest
-from moorings import CHAIN, coupled, fixed, kind, line, mooring, weight_in_water
+from moorings import CHAIN, coupled, fixed, free, kind, line, mooring, weight_in_water
 
 import moorage
 from moorage.model import Bathymetry, Friction, Motion
+from moorage.results import seabed_reports, static_report
 from moorage.results.seabed import running_integral, uplift
 from moorage.variables import VARIABLES
 
@@ -101,6 +102,9 @@ def test_a_file_holds_what_memory_does(surge, tmp_path, dt_nodes):
         for name in (*HISTORIES, "anchor_uplift_force", "anchor_uplift_angle"):
             np.testing.assert_array_equal(file[name].values, memory[name].values, err_msg=name)
             assert file[name].dtype == memory[name].dtype
+        assert file["bed_level"].equals(memory["bed_level"])
+        assert {*file.coords} == {*memory.coords}
+        assert file.attrs.keys() == memory.attrs.keys()
 
 
 def test_slope_of_touchdown_and_uplift():
@@ -142,6 +146,53 @@ def test_uplift_in_the_axes_of_the_bed():
     up, angle = uplift(force, normal, np.array([[0.0], [0.0], [5.0]]))
     np.testing.assert_allclose(up[:, 0], [0.0, 10.0, 0.0], atol=1e-12)
     np.testing.assert_allclose(angle[:, 0], [0.0, np.pi / 2.0, 0.0], atol=1e-12)
+
+
+def test_energy_of_a_dragged_rope():
+    """Dragged along itself at one speed: mu w L a metre, and the force on its end is mu w L."""
+    rope = kind(mass_per_length=100.0, axial_damping_ratio=1.0)
+    rub, level = 0.5 * weight_in_water(rope) * 50.0, -50.0 - weight_in_water(rope) / (3e6 * 0.1)
+    points = [free(1, 0.0, 0.0, level), coupled(2, 50.0, 0.0, level)]
+    time = np.arange(0.0, 21.0, 0.1)
+    way = 0.5 * np.where(time < 4.0, time**2 / 8.0, time - 2.0)
+    moved = Motion.from_points(time, {2: np.stack([50.0 + way, 0.0 * time, level + 0.0 * time], axis=1)})
+    friction = Friction(axial=0.5, transverse=0.7)
+    model = mooring(rope, points, [line(1, 1, 2, ("rope", 50.0, 10))], water_depth=50.0, friction=friction)
+    ds = moorage.simulate(model, motion=moved, duration=20.0, dt_out=0.1)
+    energy = ds["dissipated_energy"].values[:, 0]
+    middle = (ds["time"].values > 9.95) & (ds["time"].values < 18.05)
+    spent, came = np.ptp(energy[middle]), np.ptp(ds["point_position"].values[middle, 1, 0])
+    assert spent == pytest.approx(rub * came, rel=2e-3)
+    assert not ds["sticking"].values[middle][:, 1:-1].any()
+    np.testing.assert_allclose(
+        np.linalg.norm(ds["friction_force"].values[middle][:, 1:-1], axis=-1), rub / 10, rtol=2e-3
+    )
+
+
+def test_touchdown_of_a_catenary():
+    """Frictionless, on a level bed: what lies is L - V / w, with V what the fairlead carries."""
+    static = moorage.solve_statics(spread_of_one(friction=Friction(axial=0.5)))
+    lies = 640.0 - float(-static["fairlead_force"].values[0, 2]) / weight_in_water(CHAIN)
+    assert float(static["touchdown_arc_length"][0]) == pytest.approx(lies, abs=20.0)  # half a segment
+    along = float(static["touchdown_position"].values[0, 0]) + 600.0
+    assert along == pytest.approx(float(static["touchdown_arc_length"][0]), rel=1e-3)
+
+
+def test_reports_for_people(rough):
+    (row,) = seabed_reports(rough)
+    assert row.line == 1
+    assert row.dissipated_energy == rough["dissipated_energy"].values[-1, 0]
+    start, least, largest = row.touchdown_arc_length
+    assert 0.0 < least < start <= largest < 640.0
+    assert row.uplift_force == 0.0
+    static = moorage.solve_statics(sloping())
+    (row,) = seabed_reports(static)
+    assert np.isnan(row.dissipated_energy)
+    assert row.touchdown_position == tuple(static["touchdown_position"].values[0])
+    entry = static_report(static)["lines"][0]
+    assert entry["touchdown_arc_length"] == row.touchdown_arc_length[0]
+    assert entry["anchor_uplift_force"] == 0.0
+    assert seabed_reports(moorage.solve_statics(spread_of_one())) == []
 
 
 def test_integral_goes_on_from_block_to_block():

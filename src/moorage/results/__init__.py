@@ -21,6 +21,7 @@ from moorage.results.memory import MemoryResult
 from moorage.results.provenance import fingerprint, run_attributes
 from moorage.results.reader import open_result
 from moorage.results.seabed import Seabed, seabed_of
+from moorage.results.seabed_report import SeabedReport, seabed_reports
 from moorage.results.statistics import LineSummary, Summary, line_summaries, static_report
 from moorage.results.writer import StreamWriter
 
@@ -33,6 +34,7 @@ __all__ = [
     "LineSummary",
     "MemoryResult",
     "Seabed",
+    "SeabedReport",
     "StreamWriter",
     "Summary",
     "TightBend",
@@ -54,6 +56,7 @@ __all__ = [
     "run_attributes",
     "save_checkpoint",
     "seabed_of",
+    "seabed_reports",
     "static_dataset",
     "static_report",
     "tight_bends",

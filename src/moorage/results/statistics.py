@@ -9,6 +9,8 @@ import xarray as xr
 
 from moorage.results.cable_report import as_plain, cable_reports
 
+OF_SEABED = ("anchor_uplift_force", "touchdown_position", "touchdown_arc_length")
+
 
 class Summary(NamedTuple):
     """A series at its start, and its minimum, mean, maximum and standard deviation."""
@@ -61,10 +63,14 @@ def static_report(ds: xr.Dataset) -> dict[str, object]:
     Every line of a cable has the numbers of the cable.
     """
     cable = {id: {"cable": as_plain(report)} for report in cable_reports(ds) for id in report.lines}
+    bed = [name for name in OF_SEABED if "anchor_uplift_force" in ds and name in ds]
     of_line = ("fairlead_tension", "anchor_tension", "minimum_tension", "grounded_length", "anchor_uplift_angle")
     return {
         "lines": [
-            {"id": int(id)} | {name: float(ds[name].values[k]) for name in of_line} | cable.get(int(id), {})
+            {"id": int(id)}
+            | {name: float(ds[name].values[k]) for name in of_line}
+            | {name: plain(ds[name].values[k]) for name in bed}
+            | cable.get(int(id), {})
             for k, id in enumerate(ds["line"].values)
         ],
         "points": [
@@ -80,3 +86,8 @@ def static_report(ds: xr.Dataset) -> dict[str, object]:
         "residual": float(ds["residual"]),
         "iterations": int(ds["iterations"]),
     }
+
+
+def plain(value: np.ndarray) -> object:
+    """Return numbers as JSON knows them, null for those that are none."""
+    return [plain(part) for part in value] if np.ndim(value) else (float(value) if np.isfinite(value) else None)

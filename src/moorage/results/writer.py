@@ -108,7 +108,10 @@ class StreamWriter:
 
     def _create(self, attrs: Mapping[str, object]) -> None:
         self._file.set_fill_off()  # storage is not filled when it is laid out: it may be gigabytes
-        self._file.setncatts(dict(attrs))
+        alone = [
+            name for name in self.layout.coordinates() if len(VARIABLES[name].dims) > 1
+        ]  # no variable has their dims
+        self._file.setncatts(dict(attrs) | ({"coordinates": " ".join(alone)} if alone else {}))
         for name, size in self.layout.sizes.items():
             self._file.createDimension(name, size)
         for name, values in self.layout.coordinates().items():
