@@ -1,6 +1,6 @@
 """The only place that touches numba: `kernel` for loops, `inlined` for small functions of scalars and tuples.
 
-Kernels never raise, print or allocate. Compiled code is kept in a folder keyed by a hash of all sources of the package,
+Kernels never raise, print or allocate. Compiled code is kept in a folder keyed by a hash of all sources of kernels,
 because numba's own cache does not notice a changed callee in another file.
 """
 
@@ -27,7 +27,7 @@ _OPTIONS: dict = {
 def _counts_references() -> bool:
     """Whether numba's private switch `_nrt` is gone, so that arrays in NamedTuples are reference-counted on each call.
 
-    Without the switch a small model takes twice the time; the results are the same (tests/unit/test_jit.py).
+    Without the switch a small model takes twenty times the time; the results are the same.
     """
     if os.environ.get("MOORAGE_NRT") == "1":
         return True
@@ -42,13 +42,18 @@ if not _counts_references():
     _OPTIONS["_nrt"] = False
 
 
+def kernel_sources() -> dict[str, bytes]:
+    """Return the sources of this module and of all that compile something."""
+    paths = sorted(p for folder in (".", "physics", "system", "solve") for p in (_PACKAGE / folder).glob("*.py"))
+    texts = {path.relative_to(_PACKAGE).as_posix(): path.read_bytes() for path in paths}
+    decorated = b"\n@kernel\n", b"\n@inlined\n"
+    return {name: text for name, text in texts.items() if name == "_jit.py" or any(d in text for d in decorated)}
+
+
 def _key() -> str:
     digest = hashlib.sha256(repr((_OPTIONS.keys(), numba.__version__, sys.version_info[:3])).encode())
-    for folder in ("physics", "system", "solve"):
-        for path in sorted((_PACKAGE / folder).glob("*.py")):
-            digest.update(path.read_bytes())
-    for name in ("_jit.py", "_vec3.py", "layout.py"):
-        digest.update((_PACKAGE / name).read_bytes())
+    for text in kernel_sources().values():
+        digest.update(text)
     return digest.hexdigest()[:16]
 
 

@@ -80,7 +80,7 @@ def test_block_boundaries_do_not_change_a_bit(start, whole, cuts):
 def test_threads_do_not_change_a_bit(start, whole, threads, monkeypatch):
     settings, expected, counters = whole
     monkeypatch.setattr(march_module, "THREAD_NODES", 1)
-    monkeypatch.setattr(march_module.os, "cpu_count", lambda: threads)
+    monkeypatch.setattr(march_module, "PROCESSORS", threads)
     march = March(fresh(start), settings, DURATION)
     assert same(collect(march, [3.0, DURATION]), expected)
     assert march.counters == counters

@@ -6,12 +6,13 @@ interpolated positions they would be wrong, because EA is huge. Positions are in
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple
 
 import numpy as np
 
 from moorage._jit import inlined, kernel
-from moorage._vec3 import add, get, put, scale, sub
+from moorage._vec3 import add, dot, get, put, scale, sub
 from moorage.layout import Weights, line_nodes, point_row
 from moorage.physics.bathymetry import bed_at
 from moorage.physics.contact import contact_terms, near_bed
@@ -247,14 +248,15 @@ def record_contact(system, state, first, last, i, share, out):
 
 @inlined
 def node_tension(system, state, line, i):
-    """Mean tension of the segments at a node, N."""
+    """Size of the mean of the pulls of the segments at a node, N, as MoorDyn has it."""
     first, last = line_nodes(system.lines, line)
-    total, count = 0.0, 0
+    total, count = (0.0, 0.0, 0.0), 0
     for k in range(max(i - 1, first), min(i + 1, last)):
         e, de = spans(state, k)
-        total += segment_tension(system.tension, np.uintp(k - line), e, de)
+        tension = segment_tension(system.tension, np.uintp(k - line), e, de)
+        total = add(total, scale(tension, unit_or_zero(e)))
         count += 1
-    return total / count
+    return math.sqrt(dot(total, total)) / count
 
 
 @kernel
