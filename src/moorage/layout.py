@@ -41,6 +41,7 @@ class Lines(NamedTuple):
     end_unknown: np.ndarray  # (lines, 2) number of that point among the unknowns of its island, -1: prescribed
     inner_unknown: np.ndarray  # (lines, 2) number of the node beside the end, -1: not part of the boundary
     bends: np.ndarray  # (lines,) bool: has bending stiffness
+    beyond: np.ndarray  # (lines, 2) row of the node that follows beyond a joint at that end, -1: the line ends there
 
 
 class Islands(NamedTuple):

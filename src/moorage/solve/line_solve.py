@@ -174,7 +174,7 @@ def assemble_and_reduce(system, state, start, work, line, c):
     """
     first, last = line_nodes(system.lines, line)
     own, next = work.blocks.own, work.blocks.next
-    carried = begin_walk(first - line)
+    carried = begin_walk(system.lines, state.position, line)
     f, D, E = (0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     for i in range(first, last + 1):  # one call of `walk`, because it is inlined and long
         f1, D1, E1, carried = walk(system, state, start, line, i, last, carried, c)

@@ -21,7 +21,7 @@ from moorage.physics.morison import inertia_terms, wet_node, wet_part
 from moorage.physics.tension import segment_tension, tension_terms
 from moorage.physics.weight import wet_shares
 from moorage.solve.bends import end_bending, node_bending, record_joints
-from moorage.system.assemble import SURFACE, node_terms, unit_or_zero
+from moorage.system.assemble import SURFACE, node_terms, span_around, unit_or_zero
 
 # columns of Record.lines
 FORCE_A, FORCE_B, LOAD_A, LOAD_B, TENSION_A, TENSION_B, LOWEST, GROUNDED = 0, 3, 6, 9, 12, 13, 14, 15
@@ -103,7 +103,7 @@ def node_force(system, state, line, i):
     hydro = (
         wet_node(system.morison, n) if share0 + share1 == 1.0 else wet_part(system.morison, n, j0, share0, j1, share1)
     )
-    q = unit_or_zero(add(e0, e1))
+    q = unit_or_zero(span_around(system.lines, state.position, line, i))
     rest = (0.0, 0.0, 0.0)
     force = add(pull, node_terms(system, n, hydro, q, r, v, rest, r, get(state.stuck, i), c)[0])
     mass = system.morison.mass[n]

@@ -34,6 +34,8 @@ class Unknowns(NamedTuple):
     nodes: np.ndarray  # (m,) all nodes of the lines, one line after the other
     next: np.ndarray  # (m,) bool: the node after it is of the same line
     skip: np.ndarray  # (m,) bool: so is the one after that
+    before: np.ndarray  # (m,) rows on either side, from which the direction of the line follows
+    after: np.ndarray  # (m,)
     number: np.ndarray  # (all rows,) unknown of a row, -1: prescribed
 
 
@@ -109,10 +111,8 @@ def whole_matrix(built: Built, island: int, unknowns: Unknowns, turn: np.ndarray
     ):
         block = values.reshape(-1, 3, 3)
         parts += [(row, column, block), (column, row, block.transpose(0, 2, 1))]
-    after = np.where(unknowns.next, nodes + 1, nodes)
-    before = np.where(np.isin(nodes - 1, one), nodes - 1, nodes)
     turned = turn[nodes].reshape(-1, 3, 3)
-    parts += [(nodes, after, -turned), (nodes, before, turned)]
+    parts += [(nodes, unknowns.after, -turned), (nodes, unknowns.before, turned)]
     return in_place(parts, unknowns)
 
 
@@ -140,7 +140,7 @@ def unknowns_of(built: Built, island: int) -> Unknowns:
     points = lines.node_ptr[-1] + islands.points[slice(*islands.point_ptr[island : island + 2])]
     number = np.full(len(built.state.position), -1)
     number[points] = np.arange(len(points))
-    rows, nodes, left = [points], [], []
+    rows, nodes, left, before, after = [points], [], [], [], []
     for k in islands.lines[slice(*islands.line_ptr[island : island + 2])]:
         first, last = line_nodes(lines, k)
         inside = np.arange(first + 1, last)
@@ -151,6 +151,12 @@ def unknowns_of(built: Built, island: int) -> Unknowns:
         rows.append(inside)
         nodes.append(np.arange(first, last + 1))
         left.append(last - nodes[-1])
+        ends = [node if beyond < 0 else beyond for node, beyond in zip((first, last), lines.beyond[k], strict=True)]
+        before.append(np.append(ends[0], nodes[-1][:-1]))
+        after.append(np.append(nodes[-1][1:], ends[1]))
     remaining, bends = np.concatenate(left), np.repeat(lines.bends, np.diff(lines.node_ptr))
     every = np.concatenate(nodes)
-    return Unknowns(np.concatenate(rows), every, remaining > 0, (remaining > 1) & bends[every], number)
+    skip = (remaining > 1) & bends[every]
+    return Unknowns(
+        np.concatenate(rows), every, remaining > 0, skip, np.concatenate(before), np.concatenate(after), number
+    )

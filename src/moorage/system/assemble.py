@@ -65,7 +65,7 @@ def assemble_line(system, state, start, work, line, c):
     `start` is the state at the start of the step.
     """
     first, last = line_nodes(system.lines, line)
-    carried = begin_walk(first - line)
+    carried = begin_walk(system.lines, state.position, line)
     for i in range(first, last + 1):
         force, own, coupling, carried = walk(system, state, start, line, i, last, carried, c)
         put(work.force, i, force)
@@ -76,9 +76,11 @@ def assemble_line(system, state, start, work, line, c):
 
 
 @inlined
-def begin_walk(j):
-    """What is carried to the first node of a line, whose first segment is j."""
-    return ZERO3, ZERO3, ZERO6, 0.5, 0.0, 0.0, np.uintp(j)
+def begin_walk(lines, position, line):
+    """What is carried to the first node of a line: beyond a joint, the vector of a segment of the other line."""
+    first, beyond = lines.node_ptr[line], lines.beyond[line, 0]
+    e = sub(get(position, first), get(position, beyond)) if beyond >= 0 else ZERO3
+    return e, ZERO3, ZERO6, 0.5, 0.0, 0.0, np.uintp(first - line)
 
 
 @inlined
@@ -100,6 +102,8 @@ def walk(system, state, start, line, i, last, carried, c):
         height = r[2] - SURFACE
         share, share_far, d00, d01, d11 = wet_shares(system.weight.radius[j], height, height + e[2])
         buoyancy = system.weight.buoyancy[j]
+    elif system.lines.beyond[line, 1] >= 0:
+        e = sub(get(state.position, system.lines.beyond[line, 1]), r)
     if share_before + share == 1.0:
         hydro = wet_node(system.morison, n)
     else:
@@ -113,6 +117,15 @@ def walk(system, state, start, line, i, last, carried, c):
     own = add_zz(sym_add(own, sym_add(block, block_before)), -sink_before - sink * d00)
     coupling = add_zz(sym_scale(-1.0, block), -sink * d01)
     return force, own, coupling, (e, pull, block, share_far, share_far * buoyancy, sink * d11, j)
+
+
+@inlined
+def span_around(lines, position, line, i):
+    """Vector between the nodes on either side of node i of a line, which gives the line's direction there."""
+    first, last = line_nodes(lines, line)
+    before = i - 1 if i > first else lines.beyond[line, 0]
+    after = i + 1 if i < last else lines.beyond[line, 1]
+    return sub(get(position, after if after >= 0 else i), get(position, before if before >= 0 else i))
 
 
 @inlined
@@ -164,7 +177,7 @@ def turn_of_drag(system, state, line, turn):
     """
     first, last = line_nodes(system.lines, line)
     for i in range(first, last + 1):
-        e = sub(get(state.position, min(i + 1, last)), get(state.position, max(i - 1, first)))
+        e = span_around(system.lines, state.position, line, i)
         q = unit_or_zero(e)
         u = sub(get(state.velocity, i), current_at(system.current, get(state.position, i)[2]))
         _, _, normal, axial = wet_node(system.morison, np.uintp(i))

@@ -48,20 +48,30 @@ def islands_of(node_ptr, ends, free, bends, joints: Joints):
     rows_of_unknowns = np.zeros(int(unknown_ptr[-1]), dtype=np.int64)
     number = np.full(len(free), -1, dtype=np.int64)
     number[points] = np.arange(len(points)) - point_ptr[of_point[point_order]]
-    inner = np.full((n, 2), -1, dtype=np.int64)
+    inner, beyond = np.full((n, 2), -1, dtype=np.int64), np.full((n, 2), -1, dtype=np.int64)
     for i in range(count):
         here = points[point_ptr[i] : point_ptr[i + 1]]
         rows_of_unknowns[unknown_ptr[i] : unknown_ptr[i] + len(here)] = node_ptr[-1] + here
         u = len(here)
         for m in range(joint_ptr[i], joint_ptr[i + 1]):
-            for line, end in zip(joints.line[m], joints.end[m], strict=True):
-                inner[line, end] = u
-                rows_of_unknowns[unknown_ptr[i] + u] = node_ptr[line] + 1 if end == 0 else node_ptr[line + 1] - 2
-                u += 1
+            (line, other), (end, other_end) = joints.line[m], joints.end[m]
+            beyond[line, end], beyond[other, other_end] = (
+                _beside(node_ptr, other, other_end),
+                _beside(node_ptr, line, end),
+            )
+            for k in range(2):
+                inner[joints.line[m, k], joints.end[m, k]] = u + k
+                rows_of_unknowns[unknown_ptr[i] + u + k] = _beside(node_ptr, joints.line[m, k], joints.end[m, k])
+            u += 2
     matrix_ptr = np.concatenate([[0], np.cumsum((3 * np.diff(unknown_ptr)) ** 2)]).astype(np.int64)
-    lines = Lines(node_ptr, ends, number[ends], inner, bends)
+    lines = Lines(node_ptr, ends, number[ends], inner, bends, beyond)
     islands = Islands(line_ptr, line_order, point_ptr, points, joint_ptr, unknown_ptr, rows_of_unknowns, matrix_ptr)
     return lines, islands, joints, of_line
+
+
+def _beside(node_ptr, line, end):
+    """Row of the node beside an end of a line."""
+    return node_ptr[line] + 1 if end == 0 else node_ptr[line + 1] - 2
 
 
 def _grouped(group, count):
