@@ -3,6 +3,7 @@
 import dataclasses
 import warnings
 
+import numpy as np
 import pytest
 
 from moorage.io import convert, read, write_moordyn
@@ -306,3 +307,15 @@ def test_convert_to_moordyn(tmp_path, deck):
     convert(deck(), tmp_path / "model.yaml")
     assert convert(tmp_path / "model.yaml", tmp_path / "again.dat", "F") == []
     assert read(tmp_path / "again.dat").lines == read(deck()).lines
+
+
+@pytest.mark.parametrize("flavour", ["C", "F"])
+def test_depths_of_numpy_are_numbers(flavour, tmp_path):
+    x, y, depth = (
+        np.array([-900.0, 0.1]),
+        np.array([-5.0, 5.0, 7.0]),
+        np.array([[200.0, 201.0, 202.5], [210.0, 211.0, 0.3]]),
+    )
+    grid = Bathymetry(tuple(x), tuple(y), tuple(map(tuple, depth)))
+    write_moordyn(model(environment=Environment(water_depth=201.0, bathymetry=grid)), tmp_path / "model.dat", flavour)
+    assert read(tmp_path / "model.dat").environment.bathymetry == grid

@@ -40,16 +40,21 @@ def _depth(environment: Environment, path: Path, flavour: str, notes: list[str])
 
 
 def _write_list(grid: Bathymetry, path: Path) -> None:
-    rows = [f"{len(grid.x)} {len(grid.y)}", " ".join(map(repr, grid.x)), " ".join(map(repr, grid.y))]
-    rows += [f"{x!r} {y!r} {-grid.depth[i][j]!r}" for i, x in enumerate(grid.x) for j, y in enumerate(grid.y)]
+    rows = [f"{len(grid.x)} {len(grid.y)}", _numbers(*grid.x), _numbers(*grid.y)]
+    rows += [_numbers(x, y, -grid.depth[i][j]) for i, x in enumerate(grid.x) for j, y in enumerate(grid.y)]
     path.write_text("\n".join(rows) + "\n", "utf-8")
 
 
 def _write_matrix(grid: Bathymetry, path: Path) -> None:
     rows = ["--- MoorDyn Bathymetry Input File ---", f"nGridX {len(grid.x)}", f"nGridY {len(grid.y)}"]
-    rows.append(" ".join(map(repr, grid.x)))
-    rows += [" ".join(map(repr, (y, *(row[j] for row in grid.depth)))) for j, y in enumerate(grid.y)]
+    rows.append(_numbers(*grid.x))
+    rows += [_numbers(y, *(row[j] for row in grid.depth)) for j, y in enumerate(grid.y)]
     path.write_text("\n".join(rows) + "\n", "utf-8")
+
+
+def _numbers(*values: float) -> str:
+    """Return a row of all digits, of NumPy's numbers too."""
+    return " ".join(repr(float(value)) for value in values)
 
 
 def _friction(environment: Environment, flavour: str, notes: list[str]) -> list[Pair]:
