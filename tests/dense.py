@@ -8,7 +8,7 @@ from __future__ import annotations
 import numpy as np
 
 from moorage._vec3 import get
-from moorage.layout import State, Weights, copy_of
+from moorage.layout import State, Weights, copy_of, water_of
 from moorage.model import Model
 from moorage.physics.point import point_terms
 from moorage.solve.newton import assemble_island, solve_island
@@ -33,7 +33,7 @@ def assembled(built: Built, c: Weights, state: State | None = None, before=None)
     n = int(ptr[-1])
     S = np.zeros((n, 3, n, 3))
     for island in range(len(system.islands.line_ptr) - 1):
-        assemble_island(system, state, start, work, island, c)
+        assemble_island(system, state, start, work, island, c, 0.0)
     for k in range(len(ptr) - 1):
         first, last = ptr[k], ptr[k + 1] - 1
         for i in range(first, last + 1):
@@ -75,7 +75,7 @@ def reduced(built: Built, c: Weights) -> tuple[np.ndarray, np.ndarray, np.ndarra
     for point in system.islands.points:
         row = int(n + point)
         r, v, a = get(state.position, row), get(state.velocity, row), get(state.acceleration, row)
-        force, block = point_terms(system.points, system.current, int(point), r, v, a, c)
+        force, block = point_terms(system.points, int(point), water_of(state, row), r, v, a, c)
         S[3 * row : 3 * row + 3, 3 * row : 3 * row + 3] = full(block)
         f[row] = force
     return T.T @ S @ T, T.T @ f.ravel(), T
@@ -114,7 +114,7 @@ def shaken(model: Model, by: float = 0.2) -> Built:
 def increments(built: Built, c: Weights) -> np.ndarray:
     """Return the Newton increments (rows, 3) of all islands, by elimination."""
     for island in range(len(built.system.islands.line_ptr) - 1):
-        assemble_island(built.system, built.state, built.state, built.work, island, c)
+        assemble_island(built.system, built.state, built.state, built.work, island, c, 0.0)
         solve_island(built.system, built.state, built.work, island, c)
     return built.work.increment.copy()
 

@@ -46,7 +46,7 @@ def kernel_sources() -> dict[str, bytes]:
     """Return the sources of this module and of all that compile something."""
     paths = sorted(p for folder in (".", "physics", "system", "solve") for p in (_PACKAGE / folder).glob("*.py"))
     texts = {path.relative_to(_PACKAGE).as_posix(): path.read_bytes() for path in paths}
-    decorated = b"\n@kernel\n", b"\n@inlined\n"
+    decorated = b"\n@kernel\n", b"\n@inlined\n", b"\n@summed\n"
     return {name: text for name, text in texts.items() if name == "_jit.py" or any(d in text for d in decorated)}
 
 
@@ -96,3 +96,8 @@ def kernel(function):
 def inlined(function):
     """Compile a pure function of tuples, always inlined by LLVM (no call, no tuple in memory)."""
     return numba.njit(function, forceinline=True, **_OPTIONS)
+
+
+def summed(function):
+    """Compile a sum over many terms, which may be added in any order so that several are done at once."""
+    return numba.njit(function, **(_OPTIONS | {"fastmath": True}))

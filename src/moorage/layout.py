@@ -29,6 +29,8 @@ from moorage.physics.friction import Friction
 from moorage.physics.morison import Morison
 from moorage.physics.motion import Tracks
 from moorage.physics.point import PointLoads
+from moorage.physics.sea import RECORD, Sea
+from moorage.physics.sea_table import FIELDS, TERMS
 from moorage.physics.tension import Tension
 from moorage.physics.weight import Weight
 
@@ -81,6 +83,7 @@ class System(NamedTuple):
     friction: Friction
     points: PointLoads
     current: Current
+    sea: Sea
     tracks: Tracks
 
 
@@ -92,6 +95,19 @@ class State(NamedTuple):
     acceleration: np.ndarray  # (rows, 3) m/s2, exact at the end of the step
     auxiliary: np.ndarray  # (rows, 3) m/s2, the averaged acceleration of Arnold and Bruls
     stuck: np.ndarray  # (rows, 3) m, where friction holds a node on the seabed; its position when it is off the bed
+    water: np.ndarray  # (rows, 7) elevation of the surface, m; velocity, m/s, and acceleration of the water, m/s2
+
+
+class Table(NamedTuple):
+    """Waves along the paths of the nodes, see `physics.sea_table`; empty without waves."""
+
+    number: np.ndarray  # (islands,) of the interval that each island is in
+    start: np.ndarray  # (rows, 3) m, where the paths start
+    end: np.ndarray  # (rows, 3) and end
+    before: np.ndarray  # (rows, RECORD) the sums there
+    after: np.ndarray  # (rows, RECORD)
+    terms: np.ndarray  # (rows, FIELDS, TERMS) coefficients of the interval
+    scratch: np.ndarray  # (islands, 2, components)
 
 
 class Blocks(NamedTuple):
@@ -109,6 +125,7 @@ class Work(NamedTuple):
     """Scratch space of one process."""
 
     trial: State
+    table: Table
     blocks: Blocks
     force: np.ndarray  # (rows, 3) out-of-balance force, N
     increment: np.ndarray  # (rows, 3) solution of S x = force
@@ -127,12 +144,22 @@ class Weights(NamedTuple):
 
 def new_state(rows) -> State:
     """Return a state of zeros."""
-    return State(*(np.zeros((rows, 3)) for _ in State._fields))
+    return State(*(np.zeros((rows, FIELDS if name == "water" else 3)) for name in State._fields))
 
 
 def copy_of(state: State) -> State:
     """Return an independent copy of a state."""
     return State(*(values.copy() for values in state))
+
+
+def new_table(system: System, rows: int) -> Table:
+    """Return an empty table of waves."""
+    islands, n = len(system.islands.line_ptr) - 1, len(system.sea.k)
+    rows = rows if n else 0
+    return Table(
+        np.zeros(islands, dtype=np.int64), np.zeros((rows, 3)), np.zeros((rows, 3)), np.zeros((rows, RECORD)),
+        np.zeros((rows, RECORD)), np.zeros((rows, FIELDS, TERMS)), np.zeros((islands, 2, n)),
+    )  # fmt: skip
 
 
 def new_work(system: System) -> Work:
@@ -144,6 +171,7 @@ def new_work(system: System) -> Work:
     )  # fmt: skip
     return Work(
         new_state(rows),
+        new_table(system, rows),
         blocks,
         np.zeros((rows, 3)),
         np.zeros((rows, 3)),
@@ -157,6 +185,13 @@ def new_work(system: System) -> Work:
 def line_nodes(lines, line):
     """First and last node of a line."""
     return lines.node_ptr[line], lines.node_ptr[line + 1] - 1
+
+
+@inlined
+def water_of(state, i):
+    """Elevation of the surface (m), velocity (m/s) and acceleration (m/s2) of the water at a row."""
+    w = state.water
+    return w[i, 0], (w[i, 1], w[i, 2], w[i, 3]), (w[i, 4], w[i, 5], w[i, 6])
 
 
 @inlined

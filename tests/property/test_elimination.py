@@ -107,7 +107,7 @@ def test_matrix_of_joined_lines_is_the_derivative_of_their_forces(name):
 
 @kernel
 def newton(system, state, before, work, island, c):
-    newton_island(system, state, before, work, island, c)
+    newton_island(system, state, before, work, island, c, 0.0)
 
 
 @pytest.mark.parametrize("name", TOPOLOGIES)

@@ -354,11 +354,11 @@ def test_still_water_gives_no_drag_and_a_finite_block():
 
 
 def test_wet_parts_of_a_node_lie_between_dry_and_wet():
-    segment = np.array([[2.0, 1.0, 6.0, 3.0], [4.0, 2.0, 8.0, 5.0]])
+    segment = np.array([[2.0, 1.0, 6.0, 3.0, 9.0], [4.0, 2.0, 8.0, 5.0, 7.0]])
     p = Morison(np.array([10.0]), 0.5 * segment.sum(axis=0)[None], segment)
     i, j0, j1 = np.uintp(0), np.uintp(0), np.uintp(1)
     assert wet_part(p, i, j0, 0.5, j1, 0.5) == wet_node(p, i)
-    assert wet_part(p, i, j0, 0.0, j1, 0.0) == (0.0, 0.0, 0.0, 0.0)
+    assert wet_part(p, i, j0, 0.0, j1, 0.0) == (0.0, 0.0, 0.0, 0.0, 0.0)
     assert wet_part(p, i, j0, 0.5, j1, 0.25) == pytest.approx(tuple(0.5 * segment[0] + 0.25 * segment[1]))
 
 
@@ -528,9 +528,9 @@ def test_contact_fraction_is_continuous_at_touch_down(before):
 # --- points ---------------------------------------------------------------------------------------------------------
 
 LOADS = PointLoads(
-    *(np.array([x]) for x in (500.0, 300.0, -4905.0, 9000.0, 250.0, 0.6)), np.array([[10.0, -20.0, 5.0]])
+    *(np.array([x]) for x in (500.0, 300.0, -4905.0, 917.4, 9000.0, 250.0, 0.6)), np.array([[10.0, -20.0, 5.0]])
 )
-STREAM = Current(np.array([0.0]), np.array([[0.4, -0.2, 0.1]]))
+STREAM = 0.0, (0.4, -0.2, 0.1), (0.3, 0.1, -0.2)  # elevation, velocity and acceleration of the water
 
 
 @FEW
@@ -538,13 +538,13 @@ STREAM = Current(np.array([0.0]), np.array([[0.4, -0.2, 0.1]]))
 def test_point_blocks_are_minus_the_derivatives_of_its_force(z, v, a):
     """K at rest: how drag and added mass change with the wet part is left out of the block, as documented."""
     r, zero = (1.0, 2.0, z), (0.0, 0.0, 0.0)
-    still = Current(np.array([0.0]), np.zeros((1, 3)))
-    K = full(point_terms(LOADS, still, 0, r, zero, zero, STIFFNESS)[1])
-    agree(K, -derivative(lambda *x: point_terms(LOADS, still, 0, x, zero, zero, STIFFNESS)[0], r), 1e-6, 1e4)
-    C = full(point_terms(LOADS, STREAM, 0, r, v, a, DAMPING)[1])
-    agree(C, -derivative(lambda *x: point_terms(LOADS, STREAM, 0, r, x, a, DAMPING)[0], v), 1e-6, 1e3)
-    M = full(point_terms(LOADS, STREAM, 0, r, v, a, MASS)[1])
-    agree(M, -derivative(lambda *x: point_terms(LOADS, STREAM, 0, r, v, x, MASS)[0], a), 1e-6, 1e3)
+    still = 0.0, zero, zero
+    K = full(point_terms(LOADS, 0, still, r, zero, zero, STIFFNESS)[1])
+    agree(K, -derivative(lambda *x: point_terms(LOADS, 0, still, x, zero, zero, STIFFNESS)[0], r), 1e-6, 1e4)
+    C = full(point_terms(LOADS, 0, STREAM, r, v, a, DAMPING)[1])
+    agree(C, -derivative(lambda *x: point_terms(LOADS, 0, STREAM, r, x, a, DAMPING)[0], v), 1e-6, 1e3)
+    M = full(point_terms(LOADS, 0, STREAM, r, v, a, MASS)[1])
+    agree(M, -derivative(lambda *x: point_terms(LOADS, 0, STREAM, r, v, x, MASS)[0], a), 1e-6, 1e3)
 
 
 @FEW
@@ -567,7 +567,7 @@ def test_wet_fraction_of_a_sphere(z):
 def test_current_is_linear_between_levels_and_constant_beyond(z):
     levels, velocity = np.array([-50.0, -20.0, 0.0]), np.array([[0.1, 0.0, 0.0], [0.5, 0.2, -0.1], [1.0, 0.0, 0.3]])
     expected = [np.interp(z, levels, velocity[:, k]) for k in range(3)]
-    agree(current_at(Current(levels, velocity), z), expected, 1e-12, 1.0)
+    agree(current_at(Current(levels, velocity, True), z), expected, 1e-12, 1.0)
 
 
 @FEW

@@ -26,8 +26,8 @@ from moorage.model import (
     Rod,
     RodType,
     Section,
+    UnreadWater,
     UnusedOption,
-    Waves,
 )
 
 
@@ -233,9 +233,17 @@ def test_point_forces(tmp_path):
     [
         ("C", {"friction": Friction(transverse=0.5, axial=0.4)}, "MoorDyn-C has one coefficient of friction"),
         ("F", {"current": Current((0.0,), ((1.0, 0.0, 0.1),))}, "vertical currents cannot be said for MoorDyn-F"),
-        ("F", {"waves": Waves(option="WaveKin", value="3")}, "waves by WaveKin cannot be said for MoorDyn-F"),
-        ("C", {"waves": Waves(option="WaterKin", value="w.dat")}, "waves by WaterKin cannot be said for MoorDyn-C"),
-        ("C", {"waves": Waves(option="WaveKin", value="7")}, "files of WaveKin 7 are named as they were"),
+        (
+            "F",
+            {"unread_water": UnreadWater(option="WaveKin", value="3")},
+            "waves by WaveKin cannot be said for MoorDyn-F",
+        ),
+        (
+            "C",
+            {"unread_water": UnreadWater(option="WaterKin", value="w.dat")},
+            "waves by WaterKin cannot be said for MoorDyn-C",
+        ),
+        ("C", {"unread_water": UnreadWater(option="WaveKin", value="7")}, "files of WaveKin 7 are named as they were"),
         ("F", {"bathymetry": Bathymetry((0.0,), (0.0,), ((150.0,),))}, "the reference depth has no place"),
     ],
 )

@@ -13,6 +13,7 @@ from moorage.errors import ModelError, Problem, Source
 from moorage.io.finish import checked
 from moorage.io.raster import read_bathymetry
 from moorage.io.schema import SCHEMA
+from moorage.io.sea_state import components, sea_state
 from moorage.io.text import Findings, read_text
 from moorage.io.yaml_nodes import NodeReader, Values
 from moorage.model import (
@@ -36,6 +37,7 @@ from moorage.model import (
     Rod,
     RodType,
     Section,
+    UnreadWater,
     Waves,
 )
 
@@ -98,9 +100,24 @@ def _model(values: Values, folder: Path, found: Findings) -> Model:
 def _environment(values: Values, folder: Path, found: Findings) -> Environment:
     if "bathymetry" in values:
         values = values | {"bathymetry": _seabed(values["bathymetry"], folder, found)}
-    parts: dict[str, type] = {"friction": Friction, "current": Current, "waves": Waves}
+    if "waves" in values:
+        values = values | {"waves": _waves(values, found)}
+    parts: dict[str, type] = {"friction": Friction, "current": Current, "unread_water": UnreadWater}
     made = {key: parts[key](**value) if key in parts else value for key, value in values.items() if key != "source"}
     return Environment(**made)
+
+
+def _waves(values: Values, found: Findings) -> Waves | None:
+    """Return the waves of an environment, from components or from a sea state."""
+    asked, plain = values["waves"], Environment(water_depth=values["water_depth"])
+    water = {
+        "depth": values["water_depth"],
+        "gravity": values.get("gravity", plain.gravity),
+        "density": values.get("water_density", plain.water_density),
+    }
+    if "spectrum" in asked:
+        return sea_state(asked, water, found)
+    return components(asked, water, found)
 
 
 def _seabed(values: Values, folder: Path, found: Findings) -> Bathymetry | None:

@@ -52,7 +52,8 @@ SCHEMA: dict[str, dict[str, Key]] = {
         "friction": Key("friction", "-", "friction of the seabed"),
         "bathymetry": Key("bathymetry", "-", "depths on a rectangular grid"),
         "current": Key("current", "-", "steady current by level"),
-        "waves": Key("waves", "-", "a sea as MoorDyn's options name it"),
+        "waves": Key("waves", "-", "Airy waves: components, or with `spectrum` a sea state"),
+        "unread_water": Key("unread water", "-", "a sea as MoorDyn's options name it, which is not simulated"),
     },
     "friction": {
         "transverse": Key("number", "-", "kinetic coefficient across the line"),
@@ -87,6 +88,34 @@ SCHEMA: dict[str, dict[str, Key]] = {
         "velocity": Key("table", "m/s", "x, y and z component at each level", True),
     },
     "waves": {
+        "frequency": Key("numbers", "rad/s", "of the components", True),
+        "amplitude": Key("numbers", "m", "of the components", True),
+        "phase": Key("numbers", "rad", "of the components: cos(w t - k x + phase)", True),
+        "direction": Key("numbers", "rad", "where each component goes, from x towards y", True),
+        "stretching": Key("one of wheeler, vertical, none", "-", "of the profiles to the surface; wheeler by default"),
+        "ramp": Key("number", "s", "over which the sea grows from nothing"),
+        "exact": Key("flag", "-", "sum at every evaluation; false: along the nodes' paths, 20 times in a peak period"),
+    },
+    "sea state": {
+        "spectrum": Key("one of regular, jonswap, pierson-moskowitz, ochi-hubble", "-", "a wave, or a spectrum", True),
+        "height": Key("number", "m", "height of the wave, or significant height", True),
+        "period": Key("number", "s", "period of the wave, or of the peak", True),
+        "phase": Key("number", "deg", "of a regular wave"),
+        "gamma": Key("number", "-", "peakedness of jonswap; by default by rule from height and period"),
+        "second": Key("numbers", "m, s", "significant height and peak period of ochi-hubble's second part"),
+        "shape": Key("numbers", "-", "lambda of ochi-hubble's two parts; 3 and 1 by default"),
+        "direction": Key("number", "deg", "where the waves go, from x towards y; 0 by default"),
+        "spreading": Key("number", "-", "s of cos^2s of half the angle; by default all waves go one way"),
+        "components": Key("integer", "-", "number of them; 200 by default"),
+        "method": Key(
+            "one of random, equal-energy, equal-frequency", "-", "how the spectrum is cut; random by default"
+        ),
+        "seed": Key("integer", "-", "of what is random; 1 by default"),
+        "stretching": Key("one of wheeler, vertical, none", "-", "of the profiles to the surface; wheeler by default"),
+        "ramp": Key("number", "s", "over which the sea grows from nothing"),
+        "exact": Key("flag", "-", "sum at every evaluation; false: along the nodes' paths, 20 times in a peak period"),
+    },
+    "unread water": {
         "option": Key("text", "-", "MoorDyn's option: WaveKin, WaterKin or Currents", True),
         "value": Key("text", "-", "its value", True),
         "settings": Key("pairs", "-", "options beside it"),
@@ -215,7 +244,8 @@ SCHEMA: dict[str, dict[str, Key]] = {
     },
 }
 
-FROM_FILE = {"bathymetry": "bathymetry file"}  # what an object is when it has the key file
+# what an object is when it has a certain key
+BY_KEY = {"bathymetry": ("file", "bathymetry file"), "waves": ("spectrum", "sea state")}
 
 
 def as_markdown() -> str:
@@ -228,7 +258,8 @@ def as_markdown() -> str:
         "",
         "What is not required has a default. A *curve* is a number, `{x: [...], y: [...]}`, or `{file: name}` with two",
         "columns; the z of a *position* may be the word `seabed`; an *end* is a point's number or name, or `rod 1 A`.",
-        "A *bathymetry* with the key `file` is a *bathymetry file*: a raster, see [the seabed](seabed.md).",
+        "A *bathymetry* with the key `file` is a *bathymetry file*: a raster, see [the seabed](seabed.md);",
+        "*waves* with the key `spectrum` are a *sea state*.",
     ]
     for name, keys in SCHEMA.items():
         lines += ["", f"## {name}", "", "| key | value | unit | meaning | required |", "|---|---|---|---|---|"]

@@ -10,7 +10,7 @@ from typing import Any
 import yaml
 
 from moorage.errors import Source
-from moorage.io.schema import FROM_FILE, SCHEMA, Key
+from moorage.io.schema import BY_KEY, SCHEMA, Key
 from moorage.io.tables import read_curve
 from moorage.io.text import Findings
 from moorage.model import Curve
@@ -61,8 +61,8 @@ class NodeReader:
             return [self.read_object(item, name, f"{name} {k + 1}" + _id(item)) for k, item in enumerate(items)]
         if kind.startswith("map of "):
             return self._map(node, kind[len("map of ") :], what)
-        if kind in FROM_FILE and _has_key(node, "file"):
-            kind = FROM_FILE[kind]
+        if kind in BY_KEY and _has_key(node, BY_KEY[kind][0]):
+            kind = BY_KEY[kind][1]
         if kind in SCHEMA:
             return self.read_object(node, kind, what)
         readers: dict[str, Callable[[yaml.Node, str], Any]] = {

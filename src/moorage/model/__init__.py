@@ -16,9 +16,10 @@ from moorage.model.components import (
     RodType,
     Section,
 )
-from moorage.model.environment import Bathymetry, Current, Environment, Friction, Resampling, Waves
+from moorage.model.environment import Bathymetry, Current, Environment, Friction, Resampling, UnreadWater
 from moorage.model.model import Model, OutputChannel, UnusedOption
 from moorage.model.motion import Motion
+from moorage.model.waves import Waves
 
 __all__ = [
     "Attachment",
@@ -43,6 +44,7 @@ __all__ = [
     "Rod",
     "RodType",
     "Section",
+    "UnreadWater",
     "UnusedOption",
     "Waves",
 ]

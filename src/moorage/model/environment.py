@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from moorage.errors import Source
+from moorage.model.waves import Waves
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -117,8 +118,8 @@ class Current:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Waves:
-    """A sea or an unsteady current that was asked for: the option as read, its value, and the options beside it."""
+class UnreadWater:
+    """Water that was asked for and is not simulated: the option as read, its value, and the options beside it."""
 
     option: str
     value: str
@@ -151,6 +152,7 @@ class Environment:
     bathymetry: Bathymetry | None = None
     current: Current = Current()
     waves: Waves | None = None
+    unread_water: UnreadWater | None = None
 
     def depth_at(self, x: float, y: float) -> float:
         """Return the water depth (m) at a place."""

@@ -80,7 +80,7 @@ def _vortex_vibration(model: Model) -> Iterator[Problem]:
 
 
 def _waves(model: Model) -> Iterator[Problem]:
-    waves = model.environment.waves
+    waves = model.environment.unread_water
     if waves is not None:
         what = "unsteady currents are" if waves.option == "Currents" else "waves are"
         yield Problem(f"{what} not simulated yet", f"remove option {waves.option}", waves.source, waves.value)

@@ -15,6 +15,7 @@ class Current(NamedTuple):
 
     z: np.ndarray  # (levels,) increasing, m
     velocity: np.ndarray  # (levels, 3) m/s
+    flows: bool  # whether any of it is not zero
 
 
 @inlined

@@ -1,9 +1,9 @@
 """Inertia with added mass, and drag, of a slender node with tangent q (Hall & Goupee 2015, equations 10-15).
 
-    inertia  -[m + rho V (Can (I - q q^T) + Cat q q^T)] a
+    inertia  -[m + rho V (Can (I - q q^T) + Cat q q^T)] a + rho V [(1 + Can) (I - q q^T) + (1 + Cat) q q^T] U_t
     drag     -0.5 rho Cdn d l |u_t| u_t - 0.5 rho Cdt pi d l |u_q| u_q,   u = v - U, u_q = (u.q) q, u_t = u - u_q
 
-with U the velocity of the water.
+with U the velocity of the water and U_t its acceleration.
 """
 
 from __future__ import annotations
@@ -21,25 +21,26 @@ class Morison(NamedTuple):
     """Parameters: what a node has when all of it is wet, and what each whole segment contributes."""
 
     mass: np.ndarray  # (nodes,) kg
-    node: np.ndarray  # (nodes, 4) wet: transverse and tangential added mass, kg; same of drag, N s2/m2
-    segment: np.ndarray  # (segments, 4) the same of a whole segment
+    node: np.ndarray  # (nodes, 5) wet: transverse and tangential added mass, kg; same of drag, N s2/m2; displaced, kg
+    segment: np.ndarray  # (segments, 5) the same of a whole segment
 
 
 @inlined
 def wet_node(p, i):
-    """Added masses and drag factors of a node that is wholly under water."""
-    return p.node[i, 0], p.node[i, 1], p.node[i, 2], p.node[i, 3]
+    """Added masses, drag factors and displaced mass of a node that is wholly under water."""
+    return p.node[i, 0], p.node[i, 1], p.node[i, 2], p.node[i, 3], p.node[i, 4]
 
 
 @inlined
 def wet_part(p, i, j0, share0, j1, share1):
-    """Added masses and drag factors of a node of which shares of segments j0 and j1 are wet (0.5 = all)."""
+    """The same of a node of which shares of segments j0 and j1 are wet (0.5 = all)."""
     d0, d1 = 0.5 - share0, 0.5 - share1
     return (
         p.node[i, 0] - d0 * p.segment[j0, 0] - d1 * p.segment[j1, 0],
         p.node[i, 1] - d0 * p.segment[j0, 1] - d1 * p.segment[j1, 1],
         p.node[i, 2] - d0 * p.segment[j0, 2] - d1 * p.segment[j1, 2],
         p.node[i, 3] - d0 * p.segment[j0, 3] - d1 * p.segment[j1, 3],
+        p.node[i, 4] - d0 * p.segment[j0, 4] - d1 * p.segment[j1, 4],
     )
 
 
@@ -49,9 +50,13 @@ def inertia_terms(normal, axial, q, a, c):
 
     The block is (x, y) for x I + y q q^T.
     """
-    extra = axial - normal
-    force = add(scale(-normal, a), scale(-extra * dot(a, q), q))
-    return force, (c.mass * normal, c.mass * extra)
+    return anisotropic(-normal, -axial, q, a), (c.mass * normal, c.mass * (axial - normal))
+
+
+@inlined
+def anisotropic(normal, axial, q, u):
+    """Return normal (I - q q^T) u + axial q q^T u."""
+    return add(scale(normal, u), scale((axial - normal) * dot(u, q), q))
 
 
 @inlined

@@ -13,7 +13,6 @@ import numpy as np
 
 from moorage._jit import inlined, kernel
 from moorage._vec3 import add, dot, isotropic_plus, scale, sub
-from moorage.physics.current import current_at
 
 
 class PointLoads(NamedTuple):
@@ -22,7 +21,8 @@ class PointLoads(NamedTuple):
     mass: np.ndarray  # (points,) kg
     added_mass: np.ndarray  # (points,) wet, kg
     weight: np.ndarray  # (points,) upwards, -g m, N
-    buoyancy: np.ndarray  # (points,) wet, N
+    displaced: np.ndarray  # (points,) mass of water, wet, kg
+    buoyancy: np.ndarray  # (points,) its weight, N
     drag: np.ndarray  # (points,) wet, 0.5 rho CdA, N s2/m2
     radius: np.ndarray  # (points,) of the sphere of equal volume, m
     force: np.ndarray  # (points, 3) constant, N
@@ -40,13 +40,15 @@ def wet_fraction(radius, z):
 
 
 @inlined
-def point_terms(p, current, k, r, v, a, c):
-    """Force on point k and its block."""
-    wet, slope = wet_fraction(p.radius[k], r[2])
-    u = sub(v, current_at(current, r[2]))
+def point_terms(p, k, water, r, v, a, c):
+    """Force on point k and its block; water: elevation of the surface, velocity and acceleration of the water there."""
+    eta, flow, swell = water
+    wet, slope = wet_fraction(p.radius[k], r[2] - eta)
+    u = sub(v, flow)
     speed = math.sqrt(dot(u, u))
     mass, drag = p.mass[k] + wet * p.added_mass[k], wet * p.drag[k]
     force = add(scale(-mass, a), scale(-drag * speed, u))
+    force = add(force, scale(wet * (p.displaced[k] + p.added_mass[k]), swell))
     lift = p.weight[k] + wet * p.buoyancy[k]
     block = isotropic_plus(c.mass * mass + c.damping * drag * speed, c.damping * drag / (speed + 1e-9), u)
     total = force[0] + p.force[k, 0], force[1] + p.force[k, 1], force[2] + p.force[k, 2] + lift
@@ -54,10 +56,15 @@ def point_terms(p, current, k, r, v, a, c):
 
 
 @kernel
-def sample_loads(p, current, k, position, velocity, c, force):
-    """Fill (n, 3) with the force on point k by itself, without inertia, at (n, 3) positions and velocities."""
+def sample_loads(p, k, water, position, velocity, c, force):
+    """Fill (n, 3) with the force on point k by itself, without its inertia, at (n, 3) positions and velocities.
+
+    water: (n, 7) elevation of the surface, velocity and acceleration of the water.
+    """
     for row in range(len(force)):
         r = position[row, 0], position[row, 1], position[row, 2]
         v = velocity[row, 0], velocity[row, 1], velocity[row, 2]
-        f = point_terms(p, current, k, r, v, (0.0, 0.0, 0.0), c)[0]
+        w = water[row]
+        around = w[0], (w[1], w[2], w[3]), (w[4], w[5], w[6])
+        f = point_terms(p, k, around, r, v, (0.0, 0.0, 0.0), c)[0]
         force[row, 0], force[row, 1], force[row, 2] = f

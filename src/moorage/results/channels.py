@@ -21,8 +21,11 @@ from moorage.model import Model, Motion
 from moorage.model.channels import Channel, parse_channel
 from moorage.physics.motion import no_tracks, sample_track, spline_tracks
 from moorage.physics.point import sample_loads
+from moorage.physics.sea import RECORD
+from moorage.physics.sea_table import FIELDS
 from moorage.solve.march import Block
 from moorage.system.build import Built
+from moorage.system.water import sample_water
 
 Evaluate = Callable[[Block], np.ndarray]
 
@@ -170,6 +173,14 @@ def _vector(field: str, k: int, quantity: str) -> Evaluate:
     return lambda block: block[field][:, k, axis]
 
 
+def water_at(built: Built, time: np.ndarray, position: np.ndarray) -> np.ndarray:
+    """Return elevation, velocity and acceleration of the water (n, 7) at times (n,) and places (n, 3)."""
+    out = np.empty((len(time), FIELDS))
+    scratch = np.zeros((2, len(built.system.sea.k)))
+    sample_water(built.system, time, position, scratch, np.zeros(RECORD), out)
+    return out
+
+
 def _norm(vectors: np.ndarray) -> np.ndarray:
     return np.sqrt((vectors**2).sum(axis=-1))
 
@@ -180,10 +191,9 @@ def _point_force(built: Built, k: int, quantity: str) -> Evaluate:
 
     def force(block: Block) -> np.ndarray:
         own = np.empty((len(block["time"]), 3))
-        sample_loads(
-            built.system.points, built.system.current, k, block["point_position"][:, k].copy(),
-            block["point_velocity"][:, k].copy(), Weights(0.0, 0.0, 0.0), own,
-        )  # fmt: skip
+        place, velocity = block["point_position"][:, k].copy(), block["point_velocity"][:, k].copy()
+        water = water_at(built, block["time"].copy(), place)
+        sample_loads(built.system.points, k, water, place, velocity, Weights(0.0, 0.0, 0.0), own)
         total = own + block["end_load"][:, lines, ends].sum(axis=1)
         return _norm(total) if quantity == "TEN" else total[:, "XYZ".index(quantity[-1])]
 

@@ -90,7 +90,7 @@ def implicit_step(system, now, trial, work, island, t, h, control):
     attach(system, trial, work, island, t + h)
     converged, iterations, row = False, 0, -1
     while iterations < control.iterations:
-        newton_island(system, trial, now, work, island, c)
+        newton_island(system, trial, now, work, island, c, t + h)
         largest, row = shift(system, trial, work, island, c.stiffness, c.damping, 1.0)
         iterations += 1
         if not largest < 1e100:
@@ -159,7 +159,7 @@ def set_accelerations(system, state, work, island, t):
     for p in range(p0, p1):
         put(state.acceleration, point_row(lines, islands.points[p]), (0.0, 0.0, 0.0))
     attach(system, state, work, island, t)
-    assemble_island(system, state, state, work, island, c)
+    assemble_island(system, state, state, work, island, c, t)
     solve_island(system, state, work, island, c)
     shift(system, state, work, island, 0.0, 0.0, 1.0)
 

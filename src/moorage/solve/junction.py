@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from moorage._jit import inlined, kernel
 from moorage._vec3 import get, mat_get, put, sym_get
-from moorage.layout import line_nodes, point_row
+from moorage.layout import line_nodes, point_row, water_of
 from moorage.physics.point import point_terms
 from moorage.system.attach import copy_free_ends
 
@@ -28,7 +28,7 @@ def solve_junctions(system, state, work, island, c):
         point = islands.points[p]
         row = point_row(lines, point)
         r, v, a = get(state.position, row), get(state.velocity, row), get(state.acceleration, row)
-        force, block = point_terms(system.points, system.current, point, r, v, a, c)
+        force, block = point_terms(system.points, point, water_of(state, row), r, v, a, c)
         add_own(A, b, size, p - p0, block, force)
     for k in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
         add_line(lines, work, A, b, size, islands.lines[k])

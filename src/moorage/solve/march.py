@@ -20,6 +20,7 @@ from moorage.solve.march_kernel import OK, UNSTABLE, Clocks, Control, march_isla
 from moorage.solve.places import place_name
 from moorage.solve.record import Record, new_record
 from moorage.system.build import Built
+from moorage.system.sea import with_interval
 
 Block = dict[str, np.ndarray]
 
@@ -135,7 +136,9 @@ class March:
 
     def _begin(self, time: float) -> None:
         """Start the present stage from the state of its system at a time."""
-        self.time, self.built = time, self._stages[self._stage][1]
+        built = self._stages[self._stage][1]
+        sea = with_interval(built.system.sea, self.settings.time_step)
+        self.time, self.built = time, built._replace(system=built.system._replace(sea=sea))
         self.control = control_of(self.settings, self.built)
         islands = len(self.built.system.islands.line_ptr) - 1
         self.clocks = Clocks(
@@ -209,6 +212,8 @@ class March:
         saved: Block = {f"now_{k}": v.copy() for k, v in zip(self.old._fields, self.built.state, strict=True)}
         saved |= {f"old_{k}": v.copy() for k, v in zip(self.old._fields, self.old, strict=True)}
         saved |= {f"clock_{k}": v.copy() for k, v in zip(self.clocks._fields, self.clocks, strict=True)}
+        table = self.built.work.table
+        saved |= {f"table_{k}": v.copy() for k, v in zip(table._fields, table, strict=True)}
         saved["leftover"] = self.control.leftover.copy()  # made from the state at time 0
         saved["counted"] = self._counted.copy()
         saved["march"] = np.array([self.time, self._rows, self._node_rows, self._stage])
@@ -220,7 +225,9 @@ class March:
             self._stage = int(saved["march"][3])
             self._begin(float(saved["march"][0]))
         self._counted[...] = saved["counted"]
-        for prefix, target in (("now", self.built.state), ("old", self.old), ("clock", self.clocks)):
+        for prefix, target in (
+            ("now", self.built.state), ("old", self.old), ("clock", self.clocks), ("table", self.built.work.table),
+        ):  # fmt: skip
             for name, array in zip(target._fields, target, strict=True):
                 array[...] = saved[f"{prefix}_{name}"]
         self.control.leftover[...] = saved["leftover"]

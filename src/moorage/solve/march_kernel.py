@@ -13,6 +13,7 @@ from moorage.layout import line_nodes, point_row
 from moorage.solve.explicit import explicit_step
 from moorage.solve.implicit import implicit_step, start_island
 from moorage.solve.record import record_lines, record_nodes, record_watched, sample_island
+from moorage.system.water import next_interval, start_table, table_end
 
 OK, NO_SOLUTION, UNSTABLE = 0, 1, 2
 
@@ -48,6 +49,7 @@ class Clocks(NamedTuple):
 def start_islands(system, state, work, t):
     """Set consistent accelerations of all islands at time t."""
     for island in range(len(system.islands.line_ptr) - 1):
+        start_table(system, state, work, island, t)
         start_island(system, state, work, island, t)
 
 
@@ -87,7 +89,7 @@ def march_island(system, old, now, work, clocks, control, island, until, stop, i
             node_row += 1
         if t >= until - eps:
             break
-        size = step_to_try(control, t, h, stop)
+        size = step_to_try(control, t, h, min(stop, table_end(system, work, island)))
         # from b to the space of a, which is not needed any more
         if control.order == 0:
             good, iterations, change, where = implicit_step(system, b, a, work, island, t, size, control)
@@ -111,6 +113,8 @@ def march_island(system, old, now, work, clocks, control, island, until, stop, i
         known_before, known_after = known_after, False
         t0, t = t, t + size
         clocks.counts[island, 0] += 1
+        if t >= table_end(system, work, island) - eps:
+            next_interval(system, b, work, island, t)
         h = next_step(control, size, h, error)
     if swapped:
         swap_island(system, old, now, island)
@@ -163,6 +167,8 @@ def swap_row(x, y, i):
     put(x.acceleration, i, get(y.acceleration, i))
     put(x.auxiliary, i, get(y.auxiliary, i))
     put(x.stuck, i, get(y.stuck, i))
+    for c in range(x.water.shape[1]):
+        x.water[i, c], y.water[i, c] = y.water[i, c], x.water[i, c]
     put(y.position, i, r)
     put(y.velocity, i, v)
     put(y.acceleration, i, a)

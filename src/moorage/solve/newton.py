@@ -6,16 +6,18 @@ import math
 
 from moorage._jit import inlined, kernel
 from moorage._vec3 import accumulate, add, dot, get, put, scale
-from moorage.layout import line_nodes, point_row
+from moorage.layout import line_nodes, point_row, water_of
 from moorage.physics.point import point_terms
 from moorage.solve.junction import solve_junctions
 from moorage.solve.line_solve import assemble_and_reduce, back_substitute, reduce_line, substitute
 from moorage.system.assemble import add_joints, assemble_line
+from moorage.system.water import set_water
 
 
 @kernel
-def assemble_island(system, state, start, work, island, c):
-    """Set the out-of-balance force and the blocks of all lines of an island."""
+def assemble_island(system, state, start, work, island, c, t):
+    """Set the water at time t, the out-of-balance force and the blocks of all lines of an island."""
+    set_water(system, state, work, island, t)
     islands = system.islands
     for k in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
         assemble_line(system, state, start, work, islands.lines[k], c)
@@ -23,8 +25,9 @@ def assemble_island(system, state, start, work, island, c):
 
 
 @inlined
-def newton_island(system, state, start, work, island, c):
-    """Assemble and solve S x = force for an island in as few walks as its lines allow."""
+def newton_island(system, state, start, work, island, c, t):
+    """Assemble and solve S x = force for an island at time t, in as few walks as its lines allow."""
+    set_water(system, state, work, island, t)
     lines, islands = system.lines, system.islands
     l0, l1 = islands.line_ptr[island], islands.line_ptr[island + 1]
     for k in range(l0, l1):
@@ -92,7 +95,7 @@ def largest_imbalance(system, state, work, island, c):
         point = islands.points[p]
         row = point_row(lines, point)
         r, v, a = get(state.position, row), get(state.velocity, row), get(state.acceleration, row)
-        put(work.force, row, point_terms(system.points, system.current, point, r, v, a, c)[0])
+        put(work.force, row, point_terms(system.points, point, water_of(state, row), r, v, a, c)[0])
     worst, where, total = 0.0, -1, 0.0
     for k in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
         line = islands.lines[k]

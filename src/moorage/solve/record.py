@@ -13,7 +13,7 @@ import numpy as np
 
 from moorage._jit import inlined, kernel
 from moorage._vec3 import add, dot, get, put, scale, sub
-from moorage.layout import Weights, line_nodes, point_row
+from moorage.layout import Weights, line_nodes, point_row, water_of
 from moorage.physics.bathymetry import bed_at
 from moorage.physics.contact import contact_terms, near_bed
 from moorage.physics.friction import NONE, friction_terms
@@ -21,7 +21,7 @@ from moorage.physics.morison import inertia_terms, wet_node, wet_part
 from moorage.physics.tension import segment_tension, tension_terms
 from moorage.physics.weight import wet_shares
 from moorage.solve.bends import end_bending, node_bending, record_joints
-from moorage.system.assemble import SURFACE, node_terms, span_around, unit_or_zero
+from moorage.system.assemble import node_terms, span_around, unit_or_zero
 
 # columns of Record.lines
 FORCE_A, FORCE_B, LOAD_A, LOAD_B, TENSION_A, TENSION_B, LOWEST, GROUNDED = 0, 3, 6, 9, 12, 13, 14, 15
@@ -84,20 +84,20 @@ def node_force(system, state, line, i):
     first, last = line_nodes(system.lines, line)
     r, v = get(state.position, i), get(state.velocity, i)
     c = Weights(0.0, 0.0, 0.0)
-    height = r[2] - SURFACE
+    height = r[2] - state.water[i, 0]
     e0, e1, pull, lift, share0, share1 = (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), 0.0, 0.5, 0.5
     j = np.uintp(max(i - 1 - line, first - line))
     j0, j1 = j, j
     if i > first:
         e0, de = spans(state, i - 1)
         pull = scale(-1.0, tension_terms(system.tension, j0, e0, de, c)[0])
-        share0 = wet_shares(system.weight.radius[j0], height - e0[2], height)[1]
+        share0 = wet_shares(system.weight.radius[j0], r[2] - e0[2] - state.water[i - 1, 0], height)[1]
         lift += share0 * system.weight.buoyancy[j0]
     if i < last:
         j1 = np.uintp(i - line)
         e1, de = spans(state, i)
         pull = add(pull, tension_terms(system.tension, j1, e1, de, c)[0])
-        share1 = wet_shares(system.weight.radius[j1], height, height + e1[2])[0]
+        share1 = wet_shares(system.weight.radius[j1], height, r[2] + e1[2] - state.water[i + 1, 0])[0]
         lift += share1 * system.weight.buoyancy[j1]
     n = np.uintp(i)
     hydro = (
@@ -105,7 +105,7 @@ def node_force(system, state, line, i):
     )
     q = unit_or_zero(span_around(system.lines, state.position, line, i))
     rest = (0.0, 0.0, 0.0)
-    force = add(pull, node_terms(system, n, hydro, q, r, v, rest, r, get(state.stuck, i), c)[0])
+    force = add(pull, node_terms(system, n, hydro, q, water_of(state, i), r, v, rest, r, get(state.stuck, i), c)[0])
     mass = system.morison.mass[n]
     inertia = inertia_terms(mass + hydro[0], mass + hydro[1], q, get(state.acceleration, i), c)[0]
     return (force[0], force[1], force[2] + lift), inertia

@@ -9,6 +9,7 @@ import numpy as np
 from moorage.errors import ConvergenceError
 from moorage.layout import State, System, copy_of
 from moorage.physics.friction import ELASTIC, NONE
+from moorage.physics.sea import no_sea
 from moorage.solve.implicit import stick_island
 from moorage.solve.places import place_name
 from moorage.solve.statics_kernel import descend_island, place_at_rest, relax_island, stick_where_it_is
@@ -61,7 +62,7 @@ def solve(built: Built, tolerance: float | None = None) -> Equilibrium:
     asked = natural_tolerance(built) if tolerance is None else tolerance
     accepted = max(asked, rounding(built))
     begin = copy_of(built.state)
-    system, laid = with_static_friction(built.system), built.system.friction.laid
+    system, laid = static_system(built.system), built.system.friction.laid
     islands = system.islands
     worst, where, used, damped = 0.0, -1, 0, 0
     for island in range(len(islands.line_ptr) - 1):
@@ -97,9 +98,10 @@ def solve(built: Built, tolerance: float | None = None) -> Equilibrium:
     return Equilibrium(worst, place_name(built, where), used, damped, accepted)
 
 
-def with_static_friction(system: System) -> System:
-    """Return a system whose friction is that of statics: none, or springs from where the line was laid."""
-    return system._replace(friction=system.friction._replace(law=ELASTIC if system.friction.laid else NONE))
+def static_system(system: System) -> System:
+    """Return a system without waves, whose friction is that of statics: none, or springs from where a line was laid."""
+    friction = system.friction._replace(law=ELASTIC if system.friction.laid else NONE)
+    return system._replace(friction=friction, sea=no_sea())
 
 
 def rest(built: Built) -> None:

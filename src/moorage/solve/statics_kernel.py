@@ -65,11 +65,11 @@ def relax_island(system, state, work, island, reach, tolerance, iterations):
     force, row = 1e300, -1
     for iteration in range(iterations):
         c = Weights(1.0 / (tau * tau), 0.0, 1.0)
-        assemble_island(system, state, state, work, island, c)
+        assemble_island(system, state, state, work, island, c, 0.0)
         force, row, total = largest_imbalance(system, state, work, island, c)
         if force < tolerance or not force < 1e299:
             return force, row, iteration, damped
-        assemble_island(system, state, state, work, island, c)
+        assemble_island(system, state, state, work, island, c, 0.0)
         solve_island(system, state, work, island, c)
         longest, _ = shift(system, state, work, island, 0.0, 0.0, 0.0)
         if not longest < 1e100:
@@ -82,7 +82,7 @@ def relax_island(system, state, work, island, reach, tolerance, iterations):
             # line search: a Newton increment of full length must make the imbalance fall, or pseudo time takes over
             taken, halvings = step, 0
             while halvings < 4:
-                assemble_island(system, state, state, work, island, c)
+                assemble_island(system, state, state, work, island, c, 0.0)
                 _, _, trial = largest_imbalance(system, state, work, island, c)
                 if trial < total:
                     break
@@ -111,7 +111,7 @@ def descend_island(system, state, work, island, reach, tolerance, iterations):
     tau, force, row = 1e3, 1e300, -1
     for iteration in range(iterations):
         c = Weights(1.0 / (tau * tau), 0.0, 1.0)
-        assemble_island(system, state, state, work, island, c)
+        assemble_island(system, state, state, work, island, c, 0.0)
         force, row, total = largest_imbalance(system, state, work, island, c)
         if force < tolerance or not force < 1e299:
             return force, row, iteration, iteration
@@ -120,14 +120,14 @@ def descend_island(system, state, work, island, reach, tolerance, iterations):
         if not longest < 1e100:
             tau = max(1e-4, 0.1 * tau)
             continue
-        assemble_island(system, state, state, work, island, c)
+        assemble_island(system, state, state, work, island, c, 0.0)
         largest_imbalance(system, state, work, island, c)
         begin = work_done(system, work, island)
         taken, halvings = min(1.0, reach / (longest + 1e-300)), 0
         whole = taken == 1.0
         shift(system, state, work, island, taken, 0.0, 0.0)
         while halvings < 10:
-            assemble_island(system, state, state, work, island, c)
+            assemble_island(system, state, state, work, island, c, 0.0)
             _, _, trial = largest_imbalance(system, state, work, island, c)
             if trial < total or work_done(system, work, island) > -0.5 * begin:
                 break

@@ -10,14 +10,14 @@ import numpy as np
 
 from moorage._jit import inlined, kernel
 from moorage._vec3 import mat_get, mat_put, mat_transpose, sym_get, sym_to_general
-from moorage.layout import Weights, copy_of, line_nodes
+from moorage.layout import Weights, copy_of, line_nodes, water_of
 from moorage.model.motion import rotation_matrices
 from moorage.physics.bending import PINNED
 from moorage.physics.point import point_terms
 from moorage.solve.line_solve import reduce_line
 from moorage.solve.newton import assemble_island
 from moorage.solve.record import COLUMNS, FORCE_A, MOMENT_A, sample_system
-from moorage.solve.statics import natural_tolerance, solve, with_static_friction
+from moorage.solve.statics import natural_tolerance, solve, static_system
 from moorage.system.build import Built
 
 
@@ -29,7 +29,7 @@ def condense_island(system, state, work, island, c, blocks, across):
     not part of the boundary), and across (joints, 9).
     """
     lines, islands = system.lines, system.islands
-    assemble_island(system, state, state, work, island, c)
+    assemble_island(system, state, state, work, island, c, 0.0)
     S = work.blocks
     for m in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
         line = islands.lines[m]
@@ -67,7 +67,7 @@ def condense_point(system, state, row, point, c):
     r = state.position[row, 0], state.position[row, 1], state.position[row, 2]
     v = state.velocity[row, 0], state.velocity[row, 1], state.velocity[row, 2]
     a = state.acceleration[row, 0], state.acceleration[row, 1], state.acceleration[row, 2]
-    return point_terms(system.points, system.current, point, r, v, a, c)[1]
+    return point_terms(system.points, point, water_of(state, row), r, v, a, c)[1]
 
 
 def point_stiffness(built: Built) -> np.ndarray:
@@ -75,7 +75,7 @@ def point_stiffness(built: Built) -> np.ndarray:
 
     Rows count the points in the order of the file and then the ends of rods.
     """
-    system, lines = with_static_friction(built.system), built.system.lines
+    system, lines = static_system(built.system), built.system.lines
     n, first_row = len(system.points.mass), int(built.names.node_ptr[-1])
     blocks, across = np.zeros((len(lines.bends), 4, 4, 9)), np.zeros((len(system.joints.rule), 9))
     c = Weights(0.0, 0.0, 1.0)

@@ -15,7 +15,7 @@ from scipy.sparse.linalg import splu
 
 from moorage._jit import kernel
 from moorage._vec3 import get, sym_put
-from moorage.layout import System, Weights, line_nodes, point_row
+from moorage.layout import System, Weights, line_nodes, point_row, water_of
 from moorage.physics.point import point_terms
 from moorage.solve.newton import assemble_island, largest_imbalance
 from moorage.solve.statics_kernel import place_at_rest
@@ -85,14 +85,15 @@ def assemble_all(system, state, work, island, turn):
     lines, islands = system.lines, system.islands
     c = Weights(0.0, 0.0, 1.0)
     place_at_rest(system, state, work, island)
-    assemble_island(system, state, state, work, island, c)
+    assemble_island(system, state, state, work, island, c, 0.0)
     for k in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
         turn_of_drag(system, state, islands.lines[k], turn)
     worst, where, _ = largest_imbalance(system, state, work, island, c)
     for p in range(islands.point_ptr[island], islands.point_ptr[island + 1]):
         row = point_row(lines, islands.points[p])
         r, v, a = get(state.position, row), get(state.velocity, row), get(state.acceleration, row)
-        sym_put(work.blocks.own, row, point_terms(system.points, system.current, islands.points[p], r, v, a, c)[1])
+        block = point_terms(system.points, islands.points[p], water_of(state, row), r, v, a, c)[1]
+        sym_put(work.blocks.own, row, block)
     return worst, where
 
 

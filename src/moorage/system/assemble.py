@@ -31,7 +31,7 @@ from moorage._vec3 import (
     sym_scale,
     sym_to_general,
 )  # fmt: skip
-from moorage.layout import line_nodes
+from moorage.layout import line_nodes, water_of
 from moorage.physics.bending import (
     PAPER,
     PINNED,
@@ -46,16 +46,22 @@ from moorage.physics.bending import (
     tabulated,
 )
 from moorage.physics.contact import contact_terms, near_bed
-from moorage.physics.current import current_at
 from moorage.physics.friction import NONE, friction_terms
-from moorage.physics.morison import drag_terms, drag_turn, hydro_block, inertia_terms, wet_node, wet_part
+from moorage.physics.morison import (
+    anisotropic,
+    drag_terms,
+    drag_turn,
+    hydro_block,
+    inertia_terms,
+    wet_node,
+    wet_part,
+)
 from moorage.physics.tension import tension_terms
 from moorage.physics.weight import wet_shares
 
 ZERO3 = (0.0, 0.0, 0.0)
 ZERO6 = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 ZERO9 = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
-SURFACE = 0.0  # z of the still water
 
 
 @kernel
@@ -99,8 +105,8 @@ def walk(system, state, start, line, i, last, carried, c):
         j = np.uintp(i - line)
         e, de = sub(get(state.position, i + 1), r), sub(get(state.velocity, i + 1), v)
         pull, block = tension_terms(system.tension, j, e, de, c)
-        height = r[2] - SURFACE
-        share, share_far, d00, d01, d11 = wet_shares(system.weight.radius[j], height, height + e[2])
+        height, height_far = r[2] - state.water[i, 0], r[2] + e[2] - state.water[i + 1, 0]
+        share, share_far, d00, d01, d11 = wet_shares(system.weight.radius[j], height, height_far)
         buoyancy = system.weight.buoyancy[j]
     elif system.lines.beyond[line, 1] >= 0:
         e = sub(get(state.position, system.lines.beyond[line, 1]), r)
@@ -110,7 +116,7 @@ def walk(system, state, start, line, i, last, carried, c):
         hydro = wet_part(system.morison, n, j_before, share_before, j, share)
     q = unit_or_zero(add(e_before, e))
     a, before, stuck = get(state.acceleration, i), get(start.position, i), get(start.stuck, i)
-    force, own = node_terms(system, n, hydro, q, r, v, a, before, stuck, c)
+    force, own = node_terms(system, n, hydro, q, water_of(state, i), r, v, a, before, stuck, c)
     force = add(force, sub(pull, pull_before))
     force = force[0], force[1], force[2] + lift_before + share * buoyancy
     sink = c.stiffness * buoyancy
@@ -141,17 +147,18 @@ def add_zz(s, x):
 
 
 @inlined
-def node_terms(system, i, hydro, q, r, v, a, before, stuck, c):
+def node_terms(system, i, hydro, q, water, r, v, a, before, stuck, c):
     """Force and own block of inertia, drag, seabed and dry weight at a node; q: tangent of the line.
 
-    before, stuck: where the node was, and where friction held it, at the start of the step.
+    water: elevation of the surface, velocity and acceleration of the water; before, stuck: where the node was, and
+    where friction held it, at the start of the step.
     """
-    added_normal, added_axial, drag_normal, drag_axial = hydro
+    added_normal, added_axial, drag_normal, drag_axial, displaced = hydro
     mass = system.morison.mass[i]
     inertia, inertia_block = inertia_terms(mass + added_normal, mass + added_axial, q, a, c)
-    u = sub(v, current_at(system.current, r[2]))
-    drag, drag_block = drag_terms(drag_normal, drag_axial, q, u, c)
-    force, own = add(inertia, drag), hydro_block(inertia_block, drag_block, q)
+    drag, drag_block = drag_terms(drag_normal, drag_axial, q, sub(v, water[1]), c)
+    swell = anisotropic(displaced + added_normal, displaced + added_axial, q, water[2])
+    force, own = add(add(inertia, drag), swell), hydro_block(inertia_block, drag_block, q)
     if near_bed(system.contact, before, r):
         bed, bed_block = bed_terms(system, i, q, r, v, before, stuck, c)
         force, own = add(force, bed), sym_add(own, bed_block)
@@ -179,8 +186,8 @@ def turn_of_drag(system, state, line, turn):
     for i in range(first, last + 1):
         e = span_around(system.lines, state.position, line, i)
         q = unit_or_zero(e)
-        u = sub(get(state.velocity, i), current_at(system.current, get(state.position, i)[2]))
-        _, _, normal, axial = wet_node(system.morison, np.uintp(i))
+        u = sub(get(state.velocity, i), water_of(state, i)[1])
+        _, _, normal, axial, _ = wet_node(system.morison, np.uintp(i))
         across = isotropic_plus(1.0, -1.0, q)
         H = mat_sym(drag_turn(normal, axial, q, u), across)
         mat_put(turn, i, mat_scale(1.0 / math.sqrt(max(dot(e, e), 1e-300)), H))

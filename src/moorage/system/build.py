@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from moorage import model as described
 from moorage.layout import State, System, Work, new_state, new_work
 from moorage.model import Curve, Model, Motion
 from moorage.physics.contact import Contact
@@ -20,6 +21,7 @@ from moorage.system.bed import build_bed, build_friction
 from moorage.system.bends import build_bending
 from moorage.system.guess import place_guess
 from moorage.system.holders import Holders, holders_of, release, timed_failures
+from moorage.system.sea import build_sea
 from moorage.system.segments import NodeSum, segment_table
 from moorage.system.topology import islands_of
 
@@ -83,6 +85,7 @@ def build(
             displaced * segments["added_axial"],
             0.5 * env.water_density * segments["width"] * l * segments["drag_normal"],
             0.5 * env.water_density * np.pi * segments["girth"] * l * segments["drag_axial"],
+            displaced,
         ],
         axis=1,
     )
@@ -98,7 +101,8 @@ def build(
         contact=Contact(to_nodes(env.seabed_stiffness * d * l), to_nodes(env.seabed_damping * d * l), build_bed(env)),
         friction=build_friction(model, to_nodes(d * l)),
         points=_points(model, len(holders.rest)),
-        current=Current(np.array(env.current.z, float), np.array(env.current.velocity, float).reshape(-1, 3)),
+        current=_current(env.current),
+        sea=build_sea(env.waves),
         tracks=_tracks(motion, holders, clamps),
     )
     state = new_state(int(node_ptr[-1]) + len(holders.rest))
@@ -137,6 +141,11 @@ def _tracks(motion: Motion | None, holders: Holders, clamps: list[np.ndarray]) -
         return no_tracks(rest)
     turning = {len(holders.rest) + k: c for k, c in enumerate(clamps) if c.ndim == 2}
     return spline_tracks(rest, motion.time, holders.moved | turning)
+
+
+def _current(current: described.Current) -> Current:
+    velocity = np.array(current.velocity, float).reshape(-1, 3)
+    return Current(np.array(current.z, float), velocity, bool(velocity.any()))
 
 
 def _tension(l, segments) -> Tension:
@@ -184,6 +193,7 @@ def _points(model: Model, count: int) -> PointLoads:
         mass,
         env.water_density * volume * column([p.added_mass for p in model.points]),
         -env.gravity * mass,
+        env.water_density * volume,
         env.gravity * env.water_density * volume,
         0.5 * env.water_density * column([p.drag_area for p in model.points]),
         np.maximum((0.75 * volume / np.pi) ** (1.0 / 3.0), 1e-3),

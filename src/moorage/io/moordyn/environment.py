@@ -33,7 +33,7 @@ def read_environment(
         friction=_friction(values),
         bathymetry=bathymetry,
         current=current,
-        waves=waves,
+        unread_water=waves,
     )
 
 

@@ -74,7 +74,7 @@ def _friction(environment: Environment, flavour: str, notes: list[str]) -> list[
 
 
 def _water(environment: Environment, path: Path, flavour: str, notes: list[str]) -> list[Pair]:
-    waves, options = environment.waves, []
+    waves, options = environment.unread_water, []
     if waves is not None and (waves.option == "WaterKin") == (flavour == "F"):
         notes.append(f"files of {waves.option} {waves.value} are named as they were, not copied")
         options = [(waves.value, waves.option), *((value, name) for name, value in waves.settings)]

@@ -8,9 +8,9 @@ from moorage.errors import ModelError, Source
 from moorage.io.moordyn.options import Value
 from moorage.io.tables import current_profile, read_current
 from moorage.io.text import Findings, Row, is_number, read_text, rows, to_float
-from moorage.model import Current, Waves
+from moorage.model import Current, UnreadWater
 
-Water = tuple[Waves | None, Current]
+Water = tuple[UnreadWater | None, Current]
 _WAVE_MODES = (0, 1, 2, 3, 4, 5, 6, 7)
 _CURRENT_MODES = (0, 1, 2, 3, 4, 5)
 
@@ -26,9 +26,11 @@ def read_water(values: dict[str, Value], folder: Path, found: Findings) -> Water
     beside = ("Currents", "dtWave", "UnifyCurrentGrid")
     settings = tuple((name, values[name].word) for name in beside if name in values)
     if waves:
-        return Waves(option="WaveKin", value=str(waves), settings=settings, source=values["WaveKin"].source), current
+        source = values["WaveKin"].source
+        return UnreadWater(option="WaveKin", value=str(waves), settings=settings, source=source), current
     if mode > 1:
-        return Waves(option="Currents", value=str(mode), settings=settings, source=values["Currents"].source), current
+        source = values["Currents"].source
+        return UnreadWater(option="Currents", value=str(mode), settings=settings, source=source), current
     return None, current
 
 
@@ -44,7 +46,7 @@ def _mode(values: dict[str, Value], name: str, known: tuple[int, ...], found: Fi
 
 def _water_file(value: Value, folder: Path, found: Findings) -> Water:
     """Read MoorDyn-F's file of waves and currents; what is more than a steady current stays as an asked-for sea."""
-    asked = Waves(option="WaterKin", value=value.word, source=value.source)
+    asked = UnreadWater(option="WaterKin", value=value.word, source=value.source)
     if not value.word:
         return None, Current()
     if value.word.upper() == "SEASTATE":

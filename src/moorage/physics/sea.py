@@ -1,0 +1,206 @@
+"""Airy waves at a point, summed over components: what the water does there, and how that changes.
+
+One pass over the components gives the elevation, a second the profile at the level that stretching puts in the place
+of z. Both are written so that the compiler does several components at once: sine, cosine and exponential are
+polynomials without branches (1e-11 and 2e-10), arrays are sorted by wavenumber and padded with components of no
+amplitude. Components that do not reach down to a point are left out (e^-20).
+
+The water is free of rotation and of sources: w_x = u_z, w_y = v_z, w_z = -(u_x + v_y).
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from moorage._jit import inlined, summed
+
+NONE, WHEELER, VERTICAL = 0, 1, 2
+PAD = 16
+REACH = 20.0  # components with k |z'| above this are left out
+# columns of a record: elevation and its derivatives; velocity; acceleration; its time derivative; gradients of both
+ETA, ETA_T, ETA_X, ETA_Y, U, A, J, GRAD_U, GRAD_A, RECORD = 0, 1, 2, 3, 4, 7, 10, 13, 18, 23
+
+
+class Sea(NamedTuple):
+    """Components (padded) of the waves, and how they are used."""
+
+    amplitude: np.ndarray  # (n,) m; n = 0: no waves
+    frequency: np.ndarray  # (n,) rad/s
+    phase: np.ndarray  # (n,) rad
+    k: np.ndarray  # (n,) rad/m, increasing
+    kx: np.ndarray  # (n,)
+    ky: np.ndarray  # (n,)
+    deep: np.ndarray  # (n,) exp(-2 k h)
+    depth: float  # m
+    stretching: int
+    ramp: float  # s
+    interval: float  # s between the times of the table; 0: a sum at each evaluation
+
+
+def no_sea() -> Sea:
+    """Return still water."""
+    none = np.zeros(0)
+    return Sea(none, none, none, none, none, none, none, 1.0, WHEELER, 0.0, 0.0)
+
+
+def sea_of(amplitude, frequency, phase, k, direction, depth, stretching, ramp, interval) -> Sea:
+    """Return waves of components (n,), sorted and padded."""
+    order = np.argsort(k, kind="stable")
+
+    def padded(values, fill=None):
+        values = np.asarray(values, float)[order]
+        more = -len(values) % PAD
+        return np.concatenate([values, np.full(more, values[-1] if fill is None else fill)])
+
+    k = np.asarray(k, float)
+    return Sea(
+        padded(amplitude, 0.0), padded(frequency), padded(phase), padded(k), padded(k * np.cos(direction)),
+        padded(k * np.sin(direction)), padded(np.exp(-2.0 * k * depth)), float(depth), stretching, float(ramp),
+        float(interval),
+    )  # fmt: skip
+
+
+@inlined
+def grown(p, t):
+    """Share of the sea that has grown by time t, and its rate (1/s)."""
+    if p.ramp <= 0.0 or t >= p.ramp:
+        return 1.0, 0.0
+    if t <= 0.0:
+        return 0.0, 0.0
+    angle = math.pi * t / p.ramp
+    return 0.5 - 0.5 * math.cos(angle), 0.5 * math.pi / p.ramp * math.sin(angle)
+
+
+@inlined
+def fast_sincos(x):
+    """Sine and cosine of any angle: reduced to half an angle within +-pi/2, a polynomial, and the double angle."""
+    turns = np.rint(x * 0.15915494309189535)
+    y = 0.5 * ((x - turns * 6.28125) - turns * 0.0019353071795864769)
+    t = y * y
+    s = y * (1.0 + t * (SINE[0] + t * (SINE[1] + t * (SINE[2] + t * (SINE[3] + t * (SINE[4] + t * SINE[5]))))))
+    c = 1.0 + t * (COSINE[0] + t * (COSINE[1] + t * (COSINE[2] + t * (COSINE[3] + t * (COSINE[4] + t * COSINE[5])))))
+    return 2.0 * s * c, 1.0 - 2.0 * s * s
+
+
+def _minimax(function, odd: bool) -> tuple[float, ...]:
+    """Coefficients of t, t^2, ... of sin(y)/y or cos(y) in t = y^2 up to (pi/2)^2; the first one is 1."""
+    y = np.cos(np.pi * (np.arange(400) + 0.5) / 400.0) * 0.5 * np.pi
+    t = y * y
+    rest = ((function(y) / y if odd else function(y)) - 1.0) / t
+    fit = np.polynomial.chebyshev.Chebyshev.fit(t, rest, 5, domain=[0.0, 0.25 * np.pi**2])
+    return tuple(map(float, fit.convert(kind=np.polynomial.Polynomial).coef))
+
+
+SINE, COSINE = _minimax(np.sin, True), _minimax(np.cos, False)
+
+
+@inlined
+def fast_exp(y):
+    """Exponential: a Taylor polynomial of y / 64, squared six times."""
+    x = y * 0.015625
+    p = 1.0 / 24.0 + x * (1.0 / 120.0 + x * (1.0 / 720.0 + x * (1.0 / 5040.0 + x / 40320.0)))
+    p = 1.0 + x * (1.0 + x * (0.5 + x * (1.0 / 6.0 + x * p)))
+    p = p * p
+    p = p * p
+    p = p * p
+    p = p * p
+    p = p * p
+    return p * p
+
+
+@summed
+def elevation_sum(p, x, y, t, c, s):
+    """Elevation at a place with its derivatives to t, x and y; A cos and A sin of the components go to c and s."""
+    eta, eta_t, eta_x, eta_y = 0.0, 0.0, 0.0, 0.0
+    for j in range(len(p.k)):
+        sine, cosine = fast_sincos(p.frequency[j] * t + p.phase[j] - p.kx[j] * x - p.ky[j] * y)
+        cosine *= p.amplitude[j]
+        sine *= p.amplitude[j]
+        c[j], s[j] = cosine, sine
+        eta += cosine
+        eta_t -= p.frequency[j] * sine
+        eta_x += p.kx[j] * sine
+        eta_y += p.ky[j] * sine
+    return eta, eta_t, eta_x, eta_y
+
+
+@summed
+def profile_sum(p, level, count, c, s, out):
+    """Write velocity, acceleration, its time derivative and the gradients at a level into a record."""
+    u, v, w, ax, ay, az, jx, jy, jz = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+    uxx, uxy, uyy, uxz, uyz = 0.0, 0.0, 0.0, 0.0, 0.0
+    axx, axy, ayy, axz, ayz = 0.0, 0.0, 0.0, 0.0, 0.0
+    for j in range(count):
+        E = fast_exp(p.k[j] * level)
+        F = p.deep[j] / E
+        both, f = 1.0 / (1.0 - p.deep[j]), p.frequency[j]
+        side, up = (E + F) * both * f / p.k[j], (E - F) * both * f  # side / k: directions come with kx, ky
+        X, Y, P, Q = side * c[j], side * s[j], up * c[j], up * s[j]
+        hx, hy = p.kx[j], p.ky[j]
+        Xx, Xy, Yx, Yy = X * hx, X * hy, Y * hx, Y * hy
+        u += Xx
+        v += Xy
+        w -= Q
+        uxx += hx * Yx
+        uxy += hx * Yy
+        uyy += hy * Yy
+        uxz += hx * P
+        uyz += hy * P
+        ax -= f * Yx
+        ay -= f * Yy
+        az -= f * P
+        axx += f * hx * Xx
+        axy += f * hx * Xy
+        ayy += f * hy * Xy
+        axz -= f * hx * Q
+        ayz -= f * hy * Q
+        jx -= f * f * Xx
+        jy -= f * f * Xy
+        jz += f * f * Q
+    out[U], out[U + 1], out[U + 2] = u, v, w
+    out[A], out[A + 1], out[A + 2] = ax, ay, az
+    out[J], out[J + 1], out[J + 2] = jx, jy, jz
+    out[GRAD_U], out[GRAD_U + 1], out[GRAD_U + 2], out[GRAD_U + 3], out[GRAD_U + 4] = uxx, uxy, uyy, uxz, uyz
+    out[GRAD_A], out[GRAD_A + 1], out[GRAD_A + 2], out[GRAD_A + 3], out[GRAD_A + 4] = axx, axy, ayy, axz, ayz
+
+
+@inlined
+def stretched(p, z, eta):
+    """Level z' (m) that stands for z, and its derivatives to z and to the elevation.
+
+    Above the still water, where only partly wet segments look, z' tends smoothly to 1/k of the shortest component: a
+    corner there would spoil the interpolation in time.
+    """
+    level, to_z, to_eta = z, 1.0, 0.0
+    if p.stretching == WHEELER:
+        to_z = p.depth / (p.depth + eta)
+        level = to_z * (z + p.depth) - p.depth
+        to_eta = -(z + p.depth) * to_z / (p.depth + eta)
+    factor = 1.0
+    if level > 0.0:
+        q = level * p.k[len(p.k) - 1]
+        q = q * q * q * q
+        factor = (1.0 + q) ** -1.25
+        level = level * (1.0 + q) ** -0.25
+    return max(level, -p.depth), factor * to_z, factor * to_eta
+
+
+@inlined
+def within_reach(p, level):
+    """Number of components, a multiple of PAD, that reach down to a level."""
+    n = len(p.k)
+    if -level * p.k[n - 1] <= REACH:
+        return n
+    return min(n, (np.searchsorted(p.k, -REACH / level) // PAD + 1) * PAD)
+
+
+@inlined
+def record_at(p, r, t, share, c, s, out):
+    """Fill a record (RECORD,) for the place r and time t, without the ramp; share: of the sea that has grown by t."""
+    eta, eta_t, eta_x, eta_y = elevation_sum(p, r[0], r[1], t, c, s)
+    level, _, _ = stretched(p, r[2], share * eta)
+    out[ETA], out[ETA_T], out[ETA_X], out[ETA_Y] = eta, eta_t, eta_x, eta_y
+    profile_sum(p, level, within_reach(p, level), c, s, out)

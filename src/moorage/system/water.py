@@ -1,0 +1,137 @@
+"""The water at the nodes of an island: waves by the table, on top of the current."""
+
+from __future__ import annotations
+
+import math
+
+from moorage._jit import inlined, kernel
+from moorage._vec3 import get
+from moorage.layout import line_nodes, point_row
+from moorage.physics.current import current_at
+from moorage.physics.sea import ETA, A, U, grown, record_at
+from moorage.physics.sea_table import FIELDS, look_up, set_row, step_path
+
+
+@inlined
+def moves(system):
+    """Whether there are waves or a current."""
+    return len(system.sea.k) > 0 or system.current.flows
+
+
+@inlined
+def set_water(system, state, work, island, t):
+    """Set elevation, velocity and acceleration of the water at all rows of an island at time t."""
+    if moves(system):
+        fill_water(system, state, work, island, t)
+
+
+@kernel
+def fill_water(system, state, work, island, t):
+    lines, islands = system.lines, system.islands
+    for m in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
+        first, last = line_nodes(lines, islands.lines[m])
+        for i in range(first, last + 1):
+            water_at_row(system, state, work, island, i, t)
+    for m in range(islands.point_ptr[island], islands.point_ptr[island + 1]):
+        water_at_row(system, state, work, island, point_row(lines, islands.points[m]), t)
+
+
+@inlined
+def water_at_row(system, state, work, island, i, t):
+    """Set the water of one row."""
+    r, out, table = get(state.position, i), state.water[i], work.table
+    if len(system.sea.k) == 0:
+        out[0] = 0.0
+        for c in range(1, FIELDS):
+            out[c] = 0.0
+    elif system.sea.interval > 0.0:
+        s = t / system.sea.interval - table.number[island]
+        a, b = get(table.start, i), get(table.end, i)
+        dx, dy, dz = (r[0] - a[0] - s * (b[0] - a[0]), r[1] - a[1] - s * (b[1] - a[1]), r[2] - a[2] - s * (b[2] - a[2]))
+        share = grown(system.sea, t)[0]
+        for c in range(FIELDS):
+            out[c] = share * look_up(table.terms[i], s, dx, dy, dz, c)
+    else:
+        sum_of_waves(system.sea, r, t, table.scratch[island], table.after[i], out)
+    add_current(system.current, r[2], out)
+
+
+@inlined
+def sum_of_waves(sea, r, t, scratch, record, out):
+    """Set elevation, velocity and acceleration of the waves at a place by the sum over the components."""
+    share = grown(sea, t)[0]
+    record_at(sea, r, t, share, scratch[0], scratch[1], record)
+    out[0] = share * record[ETA]
+    for c in range(3):
+        out[1 + c], out[4 + c] = share * record[U + c], share * record[A + c]
+
+
+@inlined
+def add_current(current, z, out):
+    """Add the current at a level to the velocity of the water."""
+    flow = current_at(current, z)
+    out[1] += flow[0]
+    out[2] += flow[1]
+    out[3] += flow[2]
+
+
+@kernel
+def sample_water(system, time, position, scratch, record, out):
+    """Fill (n, 7) with elevation, velocity and acceleration of the water at times (n,) and places (n, 3).
+
+    scratch: (2, components) and record: (RECORD,) are overwritten.
+    """
+    for row in range(len(time)):
+        for c in range(FIELDS):
+            out[row, c] = 0.0
+        if len(system.sea.k) > 0:
+            sum_of_waves(system.sea, get(position, row), time[row], scratch, record, out[row])
+        add_current(system.current, position[row, 2], out[row])
+
+
+@kernel
+def start_table(system, state, work, island, t):
+    """Fill the table of an island for the interval that begins at or before time t."""
+    if len(system.sea.k) > 0 and system.sea.interval > 0.0:
+        work.table.number[island] = math.floor(t / system.sea.interval + 1e-9) - 2
+        next_interval(system, state, work, island, t)  # sums where the interval begins
+        next_interval(system, state, work, island, t)
+
+
+@inlined
+def table_end(system, work, island):
+    """Time at which the interval of an island ends, s; infinity without a table."""
+    if len(system.sea.k) == 0 or system.sea.interval == 0.0:
+        return math.inf
+    return (work.table.number[island] + 1) * system.sea.interval
+
+
+@kernel
+def next_interval(system, state, work, island, t):
+    """Go on to the next interval of the table, from the motion at time t."""
+    lines, islands = system.lines, system.islands
+    work.table.number[island] += 1
+    for m in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
+        first, last = line_nodes(lines, islands.lines[m])
+        for i in range(first, last + 1):
+            next_row(system, state, work, island, i, t)
+    for m in range(islands.point_ptr[island], islands.point_ptr[island + 1]):
+        next_row(system, state, work, island, point_row(lines, islands.points[m]), t)
+
+
+@inlined
+def next_row(system, state, work, island, i, t):
+    """Sum the components where the row will be at the end of the interval, and fit the interval between."""
+    p, table = system.sea, work.table
+    begin = table.number[island] * p.interval
+    end = begin + p.interval
+    for c in range(len(table.after[i])):
+        table.before[i, c] = table.after[i, c]
+    step_path(table.start, table.end, i, state.position, state.velocity, end - t)
+    grown0, grown1 = grown(p, begin), grown(p, end)
+    scratch = table.scratch
+    record_at(p, get(table.end, i), end, grown1[0], scratch[island, 0], scratch[island, 1], table.after[i])
+    set_row(
+        p, table.terms[i], table.before[i], table.after[i], get(table.start, i), get(table.end, i), grown0, grown1,
+        p.interval,
+    )  # fmt: skip
