@@ -40,7 +40,9 @@ def natural_tolerance(built: Built) -> float:
 def rounding(built: Built) -> float:
     """Return the force (N) that the last digit of a coordinate stands for: less imbalance cannot be reached."""
     size = np.abs(built.state.position).max(initial=1.0)
-    return float(16.0 * np.finfo(float).eps * size * built.system.tension.spring.max(initial=0.0))
+    system, shortest = built.system, built.names.segment_length.min(initial=np.inf)
+    bends = system.bending.before.max(initial=0.0) / shortest**2
+    return float(16.0 * np.finfo(float).eps * size * (system.tension.spring.max(initial=0.0) + bends))
 
 
 def solve(built: Built, tolerance: float | None = None) -> Equilibrium:
