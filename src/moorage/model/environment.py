@@ -69,6 +69,33 @@ def _bracket(levels: tuple[float, ...], value: float) -> tuple[int, float]:
     return k, min(1.0, max(0.0, (value - levels[k]) / (levels[k + 1] - levels[k])))
 
 
+@dataclass(frozen=True)
+class FrictionMap:
+    """Kinetic coefficients on a rectangular grid: x (nx,) m, y (ny,) m, axial and transverse (nx, ny), -.
+
+    Bilinear between its points; outside the nearest edge goes on.
+    """
+
+    x: tuple[float, ...]
+    y: tuple[float, ...]
+    axial: tuple[tuple[float, ...], ...]
+    transverse: tuple[tuple[float, ...], ...]
+    source: Source | None = field(default=None, compare=False, repr=False)
+
+
+@dataclass(frozen=True)
+class StiffnessMap:
+    """Stiffness of the seabed on a rectangular grid: x (nx,) m, y (ny,) m, stiffness (nx, ny) Pa/m.
+
+    Bilinear between its points; outside the nearest edge goes on.
+    """
+
+    x: tuple[float, ...]
+    y: tuple[float, ...]
+    stiffness: tuple[tuple[float, ...], ...]
+    source: Source | None = field(default=None, compare=False, repr=False)
+
+
 @dataclass(frozen=True, kw_only=True)
 class Friction:
     """Friction of the seabed.
@@ -94,6 +121,8 @@ class Friction:
     velocity : float
         At which stick-slip has lost half of what static friction has above kinetic, or velocity-dependent friction
         reaches its static coefficient, m/s.
+    map : FrictionMap or None
+        Coefficients over x and y, in place of `transverse` and `axial`.
     """
 
     transverse: float = 0.0
@@ -104,7 +133,14 @@ class Friction:
     shear_stiffness: float | None = None
     velocity: float = 0.01
     laid: bool = False
+    map: FrictionMap | None = None
     source: Source | None = field(default=None, compare=False, repr=False)
+
+    @property
+    def largest(self) -> float:
+        """Largest kinetic coefficient, -."""
+        tables = (self.map.axial, self.map.transverse) if self.map else (((self.axial, self.transverse),),)
+        return max((value for table in tables for row in table for value in row), default=0.0)
 
 
 @dataclass(frozen=True)
@@ -140,6 +176,8 @@ class Environment:
         kg/m3.
     seabed_stiffness, seabed_damping : float
         Pa/m and Pa s/m on the projected area d l of the line.
+    seabed_stiffness_map : StiffnessMap or None
+        Stiffness over x and y, in place of `seabed_stiffness` in the normal force (not in that of friction's spring).
     """
 
     water_depth: float
@@ -147,6 +185,7 @@ class Environment:
     water_density: float = 1025.0
     seabed_stiffness: float = 3.0e6
     seabed_damping: float = 3.0e5
+    seabed_stiffness_map: StiffnessMap | None = None
     friction: Friction | None = None
     bathymetry: Bathymetry | None = None
     current: Current = Current()
