@@ -117,7 +117,7 @@ def overload(p, mu, N, n, q, w, force):
     Far inside the ellipse, where most nodes are, a bound will do.
     """
     size, least = dot(force, force), N * min(mu[0], mu[1])
-    if size <= least * least:
+    if size < 0.9 * least * least:
         return 0.0
     share = N
     if p.law == STICK_SLIP:

@@ -17,7 +17,7 @@ from moorage._jit import inlined, kernel
 from moorage._vec3 import add, dot, get, put, scale, sub
 from moorage.layout import Weights, line_nodes, point_row
 from moorage.physics.contact import contact_terms, near_bed
-from moorage.physics.friction import ELASTIC, NONE, remembers, stuck_after
+from moorage.physics.friction import ELASTIC, NONE, STICK_SLIP, remembers, stuck_after
 from moorage.solve.newton import assemble_island, newton_island, shift, solve_island
 from moorage.system.assemble import unit_or_zero
 from moorage.system.attach import attach
@@ -115,7 +115,7 @@ def implicit_step(system, now, trial, work, island, t, h, control):
     for p in range(p0, p1):
         predict_row(now, trial, point_row(lines, islands.points[p]), k)
     attach(system, trial, work, island, t + h)
-    enough = newton_stop(control.newton, rubs, fastest)
+    enough = newton_stop(control.newton, system.friction.law, fastest)
     converged, iterations, row, largest, part = False, 0, -1, 1e300, 1.0
     while iterations < control.iterations:
         newton_island(system, trial, now, work, island, c)
@@ -130,7 +130,7 @@ def implicit_step(system, now, trial, work, island, t, h, control):
         ):
             converged = True
             break
-        if largest > 0.7 * before:
+        if remembers(system.friction) and largest > 0.7 * before:
             # a node jumps from slip one way to slip the other way and back: where it sticks lies between
             part *= 0.5
             shift(system, trial, work, island, (part - 1.0) * c.stiffness, (part - 1.0) * c.damping, part - 1.0)
@@ -168,12 +168,15 @@ def stick_island(system, now, trial, island):
 
 
 @inlined
-def newton_stop(newton, rubs, fastest):
+def newton_stop(newton, law, fastest):
     """Velocity increment at which Newton's method stops, m/s; fastest: square of the largest speed in the island.
 
-    With friction, what a stop leaves behind must be small beside the motion, or nodes at rest creep.
+    With friction, what a stop leaves behind must be small beside the motion, or nodes at rest creep; where friction
+    falls with the speed it must be small in any case, or the next steps find no solution.
     """
-    return min(newton, max(0.04 * newton, 0.05 * math.sqrt(fastest))) if rubs else newton
+    if law == NONE:
+        return newton
+    return 0.04 * newton if law == STICK_SLIP else min(newton, max(0.04 * newton, 0.05 * math.sqrt(fastest)))
 
 
 @inlined
