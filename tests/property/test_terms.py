@@ -14,6 +14,7 @@ from dense import DAMPING, MASS, STIFFNESS, full
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from moorings import curve
+from scipy.interpolate import RegularGridInterpolator
 
 from moorage.layout import Weights
 from moorage.physics import friction as law
@@ -36,12 +37,16 @@ from moorage.physics.bending import (
 from moorage.physics.contact import Contact, contact_energy, contact_fraction, contact_terms
 from moorage.physics.current import Current, current_at
 from moorage.physics.friction import Friction, friction_terms, stuck_after
-<<<<<<< HEAD
-from moorage.physics.morison import Morison, drag_terms, drag_turn, hydro_block, inertia_terms, wet_node, wet_part
-=======
 from moorage.physics.grid import build_grid, no_grid, values_at
-from moorage.physics.morison import Morison, drag_terms, hydro_block, inertia_terms, wet_node, wet_part
->>>>>>> 0389d67 (Look up places on grids without divisions, start stuck nodes where they are, and allow maps of the bed's properties)
+from moorage.physics.morison import (
+    Morison,
+    drag_terms,
+    drag_turn,
+    hydro_block,
+    inertia_terms,
+    wet_node,
+    wet_part,
+)
 from moorage.physics.motion import follow, spline_tracks
 from moorage.physics.point import PointLoads, point_terms, wet_fraction
 from moorage.physics.table import build_tables, interval, look_up
@@ -380,6 +385,29 @@ BEDS = {"flat": flat_bed(-20.0), "plane": slope_grid(), "twisted": slope_grid(cu
         "smooth": slope_grid(True, True)}  # fmt: skip
 PENETRATIONS = st.floats(-0.5, 0.5).filter(lambda d: abs(d) > 1e-3)
 PLACES = st.tuples(st.floats(-35.0, 35.0), st.floats(-25.0, 25.0))
+
+
+@FEW
+@given(PLACES)
+def test_map_is_bilinear_and_goes_on_outside(place):
+    x, y = np.array([-40.0, -12.0, 5.0, 40.0]), np.array([-30.0, 2.0, 30.0])
+    first, second = np.sin(x[:, None] + 2.0 * y), 3.0 + x[:, None] * y
+    p = build_grid(x, y, first, second)
+    for scaled in (place, tuple(2.0 * np.array(place))):
+        held = np.clip(scaled, [x[0], y[0]], [x[-1], y[-1]])
+        expected = [RegularGridInterpolator((x, y), value)(held)[0] for value in (first, second)]
+        assert values_at(p, *scaled) == pytest.approx(expected, rel=1e-9, abs=1e-9)
+
+
+def test_contact_and_friction_take_their_map_at_the_place_of_the_node():
+    r, i, zero = (3.0, -7.0, -20.1), np.uintp(0), (0.0, 0.0, 0.0)
+    grid = build_grid([0.0, 10.0], [-10.0, 0.0], [[1.0, 2.0], [3.0, 4.0]], [[0.2, 0.4], [0.6, 0.8]])
+    soft = contact_on("flat")._replace(stiffness=grid, spring=np.array([100.0]))
+    assert contact_terms(soft, i, r, r, zero, STIFFNESS)[0] == pytest.approx(100.0 * 1.9 * 0.1)
+    rough = rubbing("elastic", 1.0, 1.0)._replace(map=grid)
+    far = (4.0, -7.0, -20.1)
+    assert friction_terms(rough, i, 50.0, UP, (1.0, 0.0, 0.0), r, zero, far, STIFFNESS)[0][0] == pytest.approx(95.0)
+    assert friction_terms(rough, i, 50.0, UP, (0.0, 1.0, 0.0), r, zero, far, STIFFNESS)[0][0] == pytest.approx(19.0)
 
 
 def contact_on(bed):

@@ -48,6 +48,7 @@ SCHEMA: dict[str, dict[str, Key]] = {
         "gravity": Key("number", "m/s2", "acceleration of gravity"),
         "water_density": Key("number", "kg/m3", "density of water"),
         "seabed_stiffness": Key("number", "Pa/m", "stiffness on the projected area d l of a line"),
+        "seabed_stiffness_map": Key("stiffness map", "-", "stiffness over x and y, in place of seabed_stiffness"),
         "seabed_damping": Key("number", "Pa s/m", "damping on the projected area d l of a line"),
         "friction": Key("friction", "-", "friction of the seabed"),
         "bathymetry": Key("bathymetry", "-", "depths on a rectangular grid"),
@@ -63,6 +64,18 @@ SCHEMA: dict[str, dict[str, Key]] = {
         "shear_stiffness": Key("number", "Pa/m", "of the spring that holds a node that sticks, on d l"),
         "velocity": Key("number", "m/s", "at which stick-slip falls, and velocity-dependent friction sticks"),
         "laid": Key("flag", "-", "statics as laid slack from end A and pulled to place; false: without friction"),
+        "map": Key("friction map", "-", "coefficients over x and y, in place of axial and transverse"),
+    },
+    "friction map": {
+        "x": Key("numbers", "m", "grid in x, increasing; the edges go on outside", True),
+        "y": Key("numbers", "m", "grid in y, increasing", True),
+        "axial": Key("table", "-", "one row for each x: kinetic coefficients along the line at every y", True),
+        "transverse": Key("table", "-", "the same across the line", True),
+    },
+    "stiffness map": {
+        "x": Key("numbers", "m", "grid in x, increasing; the edges go on outside", True),
+        "y": Key("numbers", "m", "grid in y, increasing", True),
+        "stiffness": Key("table", "Pa/m", "one row for each x: stiffnesses on d l at every y", True),
     },
     "bathymetry": {
         "x": Key("numbers", "m", "grid in x, increasing", True),

@@ -8,7 +8,7 @@ from math import isfinite
 
 from moorage.errors import Problem
 from moorage.model.bed_doubts import extent, is_inside
-from moorage.model.environment import Bathymetry
+from moorage.model.environment import Bathymetry, FrictionMap, StiffnessMap
 from moorage.model.model import Model
 from moorage.model.seabed import is_anchor
 
@@ -67,3 +67,32 @@ def friction_is_possible(model: Model) -> Iterator[Problem]:
     if friction.static_ratio < 1.0:
         remedy = "give a ratio of static to kinetic friction of at least 1"
         yield Problem("static friction is below kinetic friction", remedy, friction.source, friction.static_ratio)
+    if friction.map is not None and max(abs(friction.axial), abs(friction.transverse)) > 0.0:
+        message = "seabed friction has coefficients and a map of them"
+        yield Problem(message, "give either axial and transverse, or map", friction.source)
+
+
+def maps_are_grids(model: Model) -> Iterator[Problem]:
+    """Maps of the seabed's properties have a value, not negative, for each x and y, which increase."""
+    env = model.environment
+    if env.friction is not None and env.friction.map is not None:
+        grid = env.friction.map
+        yield from _map_problems("friction map", grid, {"axial": grid.axial, "transverse": grid.transverse})
+    if env.seabed_stiffness_map is not None:
+        kb = env.seabed_stiffness_map
+        yield from _map_problems("stiffness map", kb, {"stiffness": kb.stiffness})
+
+
+def _map_problems(
+    name: str, grid: FrictionMap | StiffnessMap, tables: dict[str, tuple[tuple[float, ...], ...]]
+) -> Iterator[Problem]:
+    for word, axis in (("x", grid.x), ("y", grid.y)):
+        if not axis or not all(b > a for a, b in pairwise(axis)) or not all(map(isfinite, axis)):
+            yield Problem(f"{word} of the {name} does not increase", "sort the grid", grid.source)
+    for word, table in tables.items():
+        if len(table) != len(grid.x) or any(len(row) != len(grid.y) for row in table):
+            message = f"{word} of the {name} is not {len(grid.x)} rows of {len(grid.y)} values"
+            yield Problem(message, "give a row for each x with a value for each y", grid.source)
+        bad = [value for row in table for value in row if not (isfinite(value) and value >= 0.0)]
+        if bad:
+            yield Problem(f"{word} of the {name} must not be negative", "correct the values", grid.source, bad[0])
