@@ -207,6 +207,7 @@ def _seabed(model: Model) -> str:
     if friction is not None:
         axial, transverse = f"{friction.axial:g}", f"{friction.transverse:g}"
         size = "by a map" if friction.map else f"{axial} along and {transverse} across the line"
+        size = "by two curves" if friction.model == "soil-curves" else size
         parts.append(f"friction {friction.model}, {size}")
     return "; ".join(parts)
 

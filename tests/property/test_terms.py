@@ -466,11 +466,20 @@ def test_bed_pushes_with_minus_the_gradient_of_its_energy(bed, place, depth):
     agree(N * np.array(n), -derivative(lambda *x: [contact_energy(p, i, x)], r)[0], 1e-6, 5e3)
 
 
+CURVES = build_tables([curve((0.0, 0.0), (2e-3, 0.3), (6e-3, 0.5)), curve((0.0, 0.0), (5e-3, 0.5), (2e-2, 0.8))])
+
+
 def rubbing(name, axial=0.4, transverse=0.7, ratio=1.0):
-    laws = {"saturated": law.SATURATED, "velocity": law.VELOCITY, "elastic": law.ELASTIC, "stick-slip": law.STICK_SLIP}
+    laws = {
+        "saturated": law.SATURATED,
+        "velocity": law.VELOCITY,
+        "elastic": law.ELASTIC,
+        "stick-slip": law.STICK_SLIP,
+        "soil": law.SOIL,
+    }
     return Friction(
         laws[name], axial, transverse, ratio, 1e4, 0.05, np.array([2e5]),
-        np.array([300.0 if name == "stick-slip" else 0.0]), False, no_grid(),
+        np.array([300.0 if name == "stick-slip" else 0.0]), False, no_grid(), CURVES,
     )  # fmt: skip
 
 
@@ -514,6 +523,32 @@ def test_friction_of_velocity_takes_energy_and_its_block_is_its_derivative(name,
 
 
 @FEW
+@given(st.tuples(st.floats(-0.03, 0.03), st.floats(-0.03, 0.03)), st.booleans())
+def test_soil_curves_have_their_tangent_and_give_their_coefficients(way, stands):
+    """Along the line and across it apart; a line that stands on the bed has no direction, and is held by the latter."""
+    p, N, i, zero = rubbing("soil"), 800.0, np.uintp(0), (0.0, 0.0, 0.0)
+    q, r = UP if stands else ALONG, (*way, 0.0)
+    along = 0.0 if stands else abs(np.dot(r, q))
+    across = np.sqrt(max(np.dot(r, r) - along**2, 0.0))
+    corners = np.abs(np.subtract.outer([along, across], [0.0, 2e-3, 6e-3, 5e-3, 2e-2]))
+    if corners[1].min() < 1e-5 or (not stands and corners[0].min() < 1e-5):
+        return
+
+    def force(*r):
+        return friction_terms(p, i, N, UP, q, r, zero, zero, STIFFNESS)[0]
+
+    f = np.array(force(*r))
+    found = 0.0 if stands else abs(f @ q)
+    assert found == pytest.approx(N * np.interp(along, [0.0, 2e-3, 6e-3], [0.0, 0.3, 0.5]), abs=1e-9)
+    assert np.sqrt(max(f @ f - found**2, 0.0)) == pytest.approx(
+        N * np.interp(across, [0.0, 5e-3, 2e-2], [0.0, 0.5, 0.8]), abs=1e-6
+    )
+    assert f @ r <= 0.0
+    block = full(friction_terms(p, i, N, UP, q, r, zero, zero, STIFFNESS)[1])
+    agree(block[:2, :2], -derivative(force, r, 1e-8)[:2, :2], 1e-4, 1e5)
+
+
+@FEW
 @given(SLOW)
 def test_return_mapping_has_its_consistent_tangent(d):
     """Isotropic: the derivative of the returned force; on the ellipse of unequal coefficients it is not symmetric."""
@@ -530,16 +565,17 @@ def test_return_mapping_has_its_consistent_tangent(d):
     agree(block[:2, :2], D[:2, :2], 1e-4, 2e5)
 
 
-def test_no_energy_is_gained_in_a_closed_loop():
+@pytest.mark.parametrize("name", ["elastic", "soil"])
+def test_no_energy_is_gained_in_a_closed_loop(name):
     """A node led round a loop and back: friction has taken work, and what its spring holds was paid for."""
-    p, N, i, zero = rubbing("elastic"), 800.0, np.uintp(0), (0.0, 0.0, 0.0)
+    p, N, i, zero = rubbing(name), 800.0, np.uintp(0), (0.0, 0.0, 0.0)
     angle = np.linspace(0.0, 2.0 * np.pi, 721)
     path = 0.02 * np.stack([np.cos(angle) - 1.0, np.sin(angle), 0.0 * angle], axis=1)
     stuck, work, before = zero, 0.0, np.zeros(3)
     for r0, r in pairwise(path):
         force = np.array(friction_terms(p, i, N, UP, ALONG, tuple(r), zero, stuck, STIFFNESS)[0])
         work += 0.5 * (force + before) @ (r - r0)
-        stuck, before = stuck_after(p, i, N, UP, ALONG, tuple(r), zero, stuck), force
+        stuck, before = stuck_after(p, i, N, UP, ALONG, tuple(r), zero, stuck, STIFFNESS), force
     held = 0.5 * 2e5 * np.sum((path[-1] - np.array(stuck)) ** 2)
     assert work + held < 0.0
     # in full slip the work is that of the ellipse's force along the loop

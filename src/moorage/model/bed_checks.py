@@ -8,7 +8,8 @@ from math import isfinite
 
 from moorage.errors import Problem
 from moorage.model.bed_doubts import extent, is_inside
-from moorage.model.environment import Bathymetry, FrictionMap, StiffnessMap
+from moorage.model.components import Curve
+from moorage.model.environment import Bathymetry, Friction, FrictionMap, StiffnessMap
 from moorage.model.model import Model
 from moorage.model.seabed import is_anchor
 
@@ -70,6 +71,33 @@ def friction_is_possible(model: Model) -> Iterator[Problem]:
     if friction.map is not None and max(abs(friction.axial), abs(friction.transverse)) > 0.0:
         message = "seabed friction has coefficients and a map of them"
         yield Problem(message, "give either axial and transverse, or map", friction.source)
+    yield from _curve_problems(friction)
+
+
+def _curve_problems(friction: Friction) -> Iterator[Problem]:
+    """Curves go with soil-curves and nothing else; each rises from 0, 0 to its end."""
+    curves = {"axial_curve": friction.axial_curve, "transverse_curve": friction.transverse_curve}
+    if friction.model != "soil-curves":
+        if any(curve is not None for curve in curves.values()):
+            yield Problem(
+                "curves of friction go with the model soil-curves", "write it", friction.source, friction.model
+            )
+        return
+    if friction.map is not None or max(abs(friction.axial), abs(friction.transverse)) > 0.0:
+        message = "soil-curves take no coefficients"
+        yield Problem(message, "give axial_curve and transverse_curve only", friction.source)
+    for name, curve in curves.items():
+        if not isinstance(curve, Curve) or len(curve.x) < 2 or len(curve.x) != len(curve.y):
+            remedy = f"give {name}: {{x: [0, ...], y: [0, ...]}}"
+            yield Problem(f"soil-curves need a table as {name}", remedy, friction.source)
+            continue
+        if curve.x[0] != 0.0 or curve.y[0] != 0.0:
+            yield Problem(f"{name} of friction does not start at 0, 0", "add that row", friction.source)
+        if any(b <= a for a, b in pairwise(curve.x)):
+            yield Problem(f"displacements of {name} do not increase", "sort the rows", friction.source)
+        if any(b < a for a, b in pairwise(curve.y)):
+            remedy = "give its residual: a peak that is lost by slipping is not simulated"
+            yield Problem(f"{name} of friction falls", remedy, friction.source)
 
 
 def maps_are_grids(model: Model) -> Iterator[Problem]:

@@ -12,6 +12,8 @@ With N the size of the normal force, w the part of the velocity along the bed, s
   opposes the velocity with mu = 1 / sqrt(cos^2 / mu_a^2 + sin^2 / mu_t^2). Stick-slip lets the coefficients fall from
   static to kinetic with the speed, mu = mu_k + (mu_s - mu_k) / (1 + (w / v_s)^2), and damps the spring.
 
+* soil curves: the same memory, with curves of the force in place of the spring and the ellipse (soil_curves.py).
+
 Coefficients may come from a map over x and y, at the place of the node.
 
 The blocks leave out how friction changes with the normal force, and along a map.
@@ -27,8 +29,10 @@ import numpy as np
 from moorage._jit import inlined
 from moorage._vec3 import add, dot, isotropic_plus, scale, sub, sym_add, sym_scale
 from moorage.physics.grid import Grid, values_at
+from moorage.physics.soil_curves import soil_terms
+from moorage.physics.table import Tables
 
-NONE, SATURATED, VELOCITY, ELASTIC, STICK_SLIP = 0, 1, 2, 3, 4
+NONE, SATURATED, VELOCITY, ELASTIC, STICK_SLIP, SOIL = 0, 1, 2, 3, 4, 5
 ZERO3 = (0.0, 0.0, 0.0)
 ZERO6 = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
@@ -46,6 +50,7 @@ class Friction(NamedTuple):
     damper: np.ndarray  # (nodes,) of stick-slip, N s/m
     laid: bool  # statics know friction
     map: Grid  # kinetic coefficients along and across the line; no points: the same everywhere
+    curves: Tables  # mobilised coefficients along and across the line over displacement, m; of soil curves only
 
 
 @inlined
@@ -69,6 +74,9 @@ def friction_terms(p, i, N, n, q, r, v, stuck, c):
     w = sub(v, scale(dot(v, n), n))
     if p.law <= VELOCITY:
         return sliding(p, mu, N, n, split_directions(q, n), w, c)
+    if p.law == SOIL:
+        force, block, _ = soil_terms(p.curves, N, n, split_directions(q, n), way_along(n, r, stuck), c)
+        return force, block
     trial = trial_force(p, i, n, w, r, stuck)
     load = overload(p, mu, N, n, q, w, trial)
     spring = c.stiffness * p.spring[i] + c.damping * p.damper[i]
@@ -82,16 +90,26 @@ def friction_terms(p, i, N, n, q, r, v, stuck, c):
 @inlined
 def trial_force(p, i, n, w, r, stuck):
     """Force of the spring, and damper, that hold node i at the place where it stuck."""
-    d = sub(r, stuck)
-    d = sub(d, scale(dot(d, n), n))
-    return sub(scale(-p.spring[i], d), scale(p.damper[i], w))
+    return sub(scale(-p.spring[i], way_along(n, r, stuck)), scale(p.damper[i], w))
 
 
 @inlined
-def stuck_after(p, i, N, n, q, r, v, stuck):
+def way_along(n, r, stuck):
+    """Way along the bed from where a node stuck, m."""
+    d = sub(r, stuck)
+    return sub(d, scale(dot(d, n), n))
+
+
+@inlined
+def stuck_after(p, i, N, n, q, r, v, stuck, c):
     """Where a node sticks after a step: where it did, or after slipping where its spring gives the friction."""
     if not N > 0.0:
         return r
+    if p.law == SOIL:
+        d = way_along(n, r, stuck)
+        held = soil_terms(p.curves, N, n, split_directions(q, n), d, c)[2]
+        lost = sub(d, held)
+        return stuck if dot(lost, lost) < 1e-24 else sub(r, held)
     w = sub(v, scale(dot(v, n), n))
     trial = trial_force(p, i, n, w, r, stuck)
     load = overload(p, coefficients(p, r), N, n, q, w, trial)

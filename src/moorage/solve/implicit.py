@@ -17,7 +17,7 @@ from moorage._jit import inlined, kernel
 from moorage._vec3 import add, dot, get, put, scale, sub
 from moorage.layout import Weights, line_nodes, point_row
 from moorage.physics.contact import contact_terms, near_bed
-from moorage.physics.friction import ELASTIC, NONE, STICK_SLIP, remembers, stuck_after
+from moorage.physics.friction import ELASTIC, NONE, SOIL, STICK_SLIP, remembers, stuck_after
 from moorage.solve.newton import assemble_island, newton_island, shift, solve_island
 from moorage.system.assemble import unit_or_zero
 from moorage.system.attach import attach
@@ -100,7 +100,8 @@ def implicit_step(system, now, trial, work, island, t, h, control):
     lines, islands = system.lines, system.islands
     k = generalised_alpha(control.rho, h)
     c = Weights(1.0, k.vv1 * k.new, k.rr1 * k.new)
-    rubs, springs, fastest = system.friction.law != NONE, system.friction.law == ELASTIC, 0.0
+    rubs, fastest = system.friction.law != NONE, 0.0
+    springs = system.friction.law == ELASTIC or system.friction.law == SOIL
     l0, l1 = islands.line_ptr[island], islands.line_ptr[island + 1]
     p0, p1 = islands.point_ptr[island], islands.point_ptr[island + 1]
     for m in range(l0, l1):
@@ -161,7 +162,7 @@ def stick_island(system, now, trial, island):
                 v = get(trial.velocity, i)
                 q = unit_or_zero(sub(get(trial.position, min(i + 1, last)), get(trial.position, max(i - 1, first))))
                 N, n, _ = contact_terms(system.contact, np.uintp(i), before, r, v, c)
-                held = stuck_after(system.friction, np.uintp(i), N, n, q, r, v, held)
+                held = stuck_after(system.friction, np.uintp(i), N, n, q, r, v, held, c)
             else:
                 held = r
             put(trial.stuck, i, held)

@@ -10,7 +10,8 @@ from moorage._jit import inlined, kernel
 from moorage._vec3 import dot, get, scale, sub
 from moorage.layout import line_nodes
 from moorage.physics.bathymetry import bed_at, normal_of
-from moorage.physics.friction import SATURATED, VELOCITY, coefficients, overload, split_directions
+from moorage.physics.friction import SATURATED, SOIL, VELOCITY, coefficients, overload, split_directions
+from moorage.physics.soil_curves import on_a_plateau
 from moorage.system.assemble import unit_or_zero
 
 BELOW = 0.998  # of the square of the limit: records lie between the ends of steps
@@ -32,6 +33,9 @@ def find_sticking(system, position, velocity, normal_force, friction_force, stic
             w, mu = sub(v, scale(dot(v, n), n)), coefficients(system.friction, r)
             if system.friction.law <= VELOCITY:
                 sticks[i] = 1 if ramps(system.friction, N, split_directions(q, n), w) else 0
+            elif system.friction.law == SOIL:
+                s, f = split_directions(q, n), get(friction_force, i)
+                sticks[i] = 0 if on_a_plateau(system.friction.curves, N, s, f, BELOW) else 1
             else:
                 sticks[i] = 1 if overload(system.friction, mu, N, n, q, w, get(friction_force, i)) < BELOW else 0
 

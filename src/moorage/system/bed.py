@@ -9,12 +9,14 @@ from moorage.physics import friction as law
 from moorage.physics.bathymetry import Bathymetry, flat_bed, grid_bed
 from moorage.physics.contact import Contact
 from moorage.physics.grid import build_grid, no_grid
+from moorage.physics.table import build_tables
 
 LAWS = {
     "saturated-damping": law.SATURATED,
     "velocity-dependent": law.VELOCITY,
     "elastic-slip": law.ELASTIC,
     "stick-slip": law.STICK_SLIP,
+    "soil-curves": law.SOIL,
 }
 
 
@@ -40,7 +42,7 @@ def build_friction(model: Model, area) -> law.Friction:
     env, f = model.environment, model.environment.friction
     zero = np.zeros_like(area)
     if f is None or f.largest <= 0.0:
-        return law.Friction(law.NONE, 0.0, 0.0, 1.0, 0.0, 1.0, zero, zero.copy(), False, no_grid())
+        return law.Friction(law.NONE, 0.0, 0.0, 1.0, 0.0, 1.0, zero, zero.copy(), False, no_grid(), build_tables([]))
     spring = (env.seabed_stiffness if f.shear_stiffness is None else f.shear_stiffness) * area
     # equations (11) and (12) have the static coefficient in the slope of the ramp, the programs the kinetic one
     slope = f.damping * (f.static_ratio if model.flavour == "native" else 1.0)
@@ -49,6 +51,7 @@ def build_friction(model: Model, area) -> law.Friction:
     axial, transverse, grid = (
         (1.0, 1.0, build_grid(mu.x, mu.y, mu.axial, mu.transverse)) if mu else (f.axial, f.transverse, no_grid())
     )
+    curves = build_tables([f.axial_curve, f.transverse_curve] if f.model == "soil-curves" else [])
     return law.Friction(
-        LAWS[f.model], axial, transverse, f.static_ratio, slope, f.velocity, spring, damper, f.laid, grid
+        LAWS[f.model], axial, transverse, f.static_ratio, slope, f.velocity, spring, damper, f.laid, grid, curves
     )

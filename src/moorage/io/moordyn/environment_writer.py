@@ -65,8 +65,9 @@ def _friction(environment: Environment, flavour: str, notes: list[str]) -> list[
         return []
     if friction.model != "saturated-damping":
         notes.append(f"friction by {friction.model} is written as saturated damping, the only law that MoorDyn has")
-    if friction.map:
-        notes.append("the map of friction's coefficients cannot be said: written without friction")
+    if friction.map or friction.model == "soil-curves":
+        what = "map of friction's coefficients" if friction.map else "curves of friction"
+        notes.append(f"the {what} cannot be said: written without friction")
     ratio, damping = repr(friction.static_ratio), repr(friction.damping)
     if flavour == "F":
         pair = [(repr(friction.transverse), "mu_kT"), (repr(friction.axial), "mu_kA")]
