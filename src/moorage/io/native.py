@@ -28,6 +28,7 @@ from moorage.model import (
     ExternalLoad,
     Failure,
     Friction,
+    FrictionMap,
     Line,
     LineType,
     Model,
@@ -36,6 +37,7 @@ from moorage.model import (
     Rod,
     RodType,
     Section,
+    StiffnessMap,
     Waves,
 )
 
@@ -98,7 +100,11 @@ def _model(values: Values, folder: Path, found: Findings) -> Model:
 def _environment(values: Values, folder: Path, found: Findings) -> Environment:
     if "bathymetry" in values:
         values = values | {"bathymetry": _seabed(values["bathymetry"], folder, found)}
-    parts: dict[str, type] = {"friction": Friction, "current": Current, "waves": Waves}
+    if "map" in values.get("friction", ()):
+        values = values | {"friction": values["friction"] | {"map": FrictionMap(**values["friction"]["map"])}}
+    parts: dict[str, type] = {
+        "friction": Friction, "current": Current, "waves": Waves, "seabed_stiffness_map": StiffnessMap,
+    }  # fmt: skip
     made = {key: parts[key](**value) if key in parts else value for key, value in values.items() if key != "source"}
     return Environment(**made)
 

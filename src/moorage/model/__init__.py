@@ -16,7 +16,16 @@ from moorage.model.components import (
     RodType,
     Section,
 )
-from moorage.model.environment import Bathymetry, Current, Environment, Friction, Resampling, Waves
+from moorage.model.environment import (
+    Bathymetry,
+    Current,
+    Environment,
+    Friction,
+    FrictionMap,
+    Resampling,
+    StiffnessMap,
+    Waves,
+)
 from moorage.model.model import Model, OutputChannel, UnusedOption
 from moorage.model.motion import Motion
 
@@ -33,6 +42,7 @@ __all__ = [
     "ExternalLoad",
     "Failure",
     "Friction",
+    "FrictionMap",
     "Line",
     "LineType",
     "Model",
@@ -43,6 +53,7 @@ __all__ = [
     "Rod",
     "RodType",
     "Section",
+    "StiffnessMap",
     "UnusedOption",
     "Waves",
 ]

@@ -8,7 +8,7 @@ import numpy as np
 
 from moorage.errors import ConvergenceError
 from moorage.layout import State, System, copy_of
-from moorage.physics.friction import ELASTIC, NONE
+from moorage.physics.friction import ELASTIC, NONE, SOIL
 from moorage.solve.implicit import stick_island
 from moorage.solve.places import place_name
 from moorage.solve.statics_kernel import descend_island, place_at_rest, relax_island, stick_where_it_is
@@ -100,8 +100,10 @@ def solve(built: Built, tolerance: float | None = None) -> Equilibrium:
 
 
 def with_static_friction(system: System) -> System:
-    """Return a system whose friction is that of statics: none, or springs from where the line was laid."""
-    return system._replace(friction=system.friction._replace(law=ELASTIC if system.friction.laid else NONE))
+    """Return a system whose friction is that of statics: none, or what holds it where the line was laid."""
+    friction = system.friction
+    law = NONE if not friction.laid else SOIL if friction.law == SOIL else ELASTIC
+    return system._replace(friction=friction._replace(law=law))
 
 
 def rest(built: Built) -> None:
