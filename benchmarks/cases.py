@@ -1,4 +1,4 @@
-"""The moorings that are timed: OC4-DeepCwind's chains, as many as wanted, moved as one platform."""
+"""What is timed: OC4-DeepCwind's chains, as many as wanted, moved as one platform; and a lazy-wave power cable."""
 
 from __future__ import annotations
 
@@ -56,9 +56,40 @@ def surge_and_heave(duration: float) -> Motion:
     return Motion.from_harmonics(duration, ramp=20.0, interval=0.05, surge=(5.0, 12.0), heave=(2.0, 9.0))
 
 
-def paths(model: Model, duration: float, interval: float) -> tuple[np.ndarray, ...]:
+def lazy_wave() -> Model:
+    """Return the prototype's cable: 55 m, 25 m with floats, 57 m in 60 m of water, in segments of 1 m, ends pinned."""
+    parts = ("cable", 55.0), ("floats", 25.0), ("cable", 57.0)
+    common = {"axial_stiffness": 751e6, "axial_damping_ratio": 1.0, "bending_stiffness": 11.71e3}
+    common |= {"transverse_drag": 1.2, "transverse_added_mass": 1.0, "tangential_drag": 0.1}
+    return Model(
+        environment=Environment(water_depth=60.0, seabed_stiffness=3e6, seabed_damping=3e5),
+        line_types=(
+            LineType(name="cable", diameter=0.176, mass_per_length=77.3, **common),
+            LineType(name="floats", diameter=0.559, mass_per_length=184.5, **common),
+        ),
+        points=(
+            Point(id=1, kind="fixed", position=(105.0, 0.0, -60.0)),
+            Point(id=2, kind="coupled", position=(0.0, 0.0, -4.0)),
+        ),
+        lines=(
+            Line(
+                id=1,
+                sections=tuple(Section(line_type=t, length=x, segments=round(x)) for t, x in parts),
+                end_a=Attachment("point", 1),
+                end_b=Attachment("point", 2),
+            ),
+        ),
+    )
+
+
+def swell(duration: float) -> Motion:
+    """Return 2 m along x and 3 m along z in 14.5 s, coming in over 20 s."""
+    return Motion.from_harmonics(duration, ramp=20.0, interval=0.05, surge=(2.0, 14.5), heave=(3.0, 14.5))
+
+
+def paths(model: Model, duration: float, interval: float, moved=surge_and_heave) -> tuple[np.ndarray, ...]:
     """Return times (n,) and positions, velocities, accelerations (n, m, 3) of the coupled points, for others."""
-    motion = surge_and_heave(duration + 1.0)
+    motion = moved(duration + 1.0)
     time = interval * np.arange(round(duration / interval) + 1)
     tracks = [CubicSpline(motion.time, track) for track in motion.resolve(model).values()]
     return time, *(np.stack([track(time, order) for track in tracks], axis=1) for order in range(3))

@@ -6,7 +6,7 @@ import time
 
 import numpy as np
 
-from benchmarks.cases import chains, surge_and_heave
+from benchmarks.cases import chains, lazy_wave, surge_and_heave, swell
 from moorage.layout import copy_of
 from moorage.solve import march
 from moorage.solve.march import March, Settings
@@ -15,13 +15,13 @@ from moorage.system.build import build
 
 
 def run(job):
-    """Run chains several times from the same static state.
+    """Run chains, or the cable, several times from the same static state.
 
     Parameters
     ----------
     job : dict
-        `segments`, `lines`; `duration`, `dt_out` s; `time_step` s (0: adaptive); `tolerance` m (0: default); `repeat`;
-        `threaded` (0: one thread).
+        `segments`, `lines` (0: the cable); `duration`, `dt_out` s; `time_step` s (0: adaptive); `tolerance` m (0:
+        default); `repeat`; `threaded` (0: one thread).
 
     Returns
     -------
@@ -33,8 +33,9 @@ def run(job):
     settings = Settings(time_step=float(job["time_step"]) or None, tolerance=tolerance, dt_out=float(job["dt_out"]))
     if not job["threaded"]:
         march.THREAD_NODES = 10**12
-    model = chains(int(job["segments"]), int(job["lines"]))
-    motion = surge_and_heave(duration + 1.0)
+    lines = int(job["lines"])
+    model = chains(int(job["segments"]), lines) if lines else lazy_wave()
+    motion = (surge_and_heave if lines else swell)(duration + 1.0)
     warm = build(chains(3), motion, 1.0)
     solve(warm)
     March(warm, settings, 1.0).advance(1.0)

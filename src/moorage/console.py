@@ -205,7 +205,10 @@ def _seabed(model: Model) -> str:
         parts.append(f"depth grid {grid.file} of {len(grid.x)} by {len(grid.y)} points".replace("  ", " "))
         parts += [str(grid.resampling)] if grid.resampling else []
     if friction is not None:
-        parts.append(f"friction {friction.model}, {friction.axial:g} along and {friction.transverse:g} across the line")
+        axial, transverse = f"{friction.axial:g}", f"{friction.transverse:g}"
+        size = "by a map" if friction.map else f"{axial} along and {transverse} across the line"
+        size = "by two curves" if friction.model == "soil-curves" else size
+        parts.append(f"friction {friction.model}, {size}")
     return "; ".join(parts)
 
 

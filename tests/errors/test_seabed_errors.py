@@ -133,6 +133,7 @@ def test_default_damper_of_a_file(deck):
         model = read(deck(("9.80665  g         gravity", "1.0 FrictionCoefficient")))
     (problem,) = suspicious(model)
     assert problem.source.file.endswith("model.dat")
+    model = dataclasses.replace(model, unused_options=())
     with pytest.warns(
         ModelWarning, match=r"saturated damping with c_v = 200 N s/m reaches 0\..* % of Coulomb's friction"
     ):

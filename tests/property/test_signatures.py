@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from moorings import CHAIN, coupled, curve, fixed, free, kind, line, mooring, run, single, spread
 
-from moorage.model import Current, Model, Motion
+from moorage.model import Bathymetry, Current, Friction, FrictionMap, Model, Motion, StiffnessMap
 from moorage.solve.host import HostMarch
 from moorage.solve.march_kernel import march_islands, start_islands
 from moorage.solve.statics import solve
@@ -24,6 +24,13 @@ def models() -> dict[str, tuple[Model, Motion | None]]:
     moved = Motion.from_harmonics(5.0, ramp=2.0, heave=(0.1, 3.0))
     bent = kind("rope", bending_stiffness=1e4)
     sheared = Current((-20.0, -10.0, 0.0), ((0.0, 0.0, 0.0), (0.1, 0.0, 0.0), (0.5, 0.1, 0.0)))
+    x, rows = (0.0, 10.0), ((0.2, 0.3), (0.4, 0.5))
+    mapped: dict = {
+        "friction": Friction(map=FrictionMap(x, x, rows, rows)),
+        "bathymetry": Bathymetry(x, x, ((20.0, 21.0), (22.0, 23.0))),
+        "seabed_stiffness_map": StiffnessMap(x, x, ((1e6, 2e6), (3e6, 3e6))),
+    }
+    soil = Friction(model="soil-curves", axial_curve=table, transverse_curve=table)
     bridle = (line(1, 1, 3, ("rope", 15.0, 3)), line(2, 3, 2, ("rope", 22.0, 4)))
     return {
         "three chains, moved": (spread(10), Motion.from_harmonics(5.0, ramp=2.0, surge=(1.0, 8.0))),
@@ -35,6 +42,8 @@ def models() -> dict[str, tuple[Model, Motion | None]]:
         "sheared current": (single(kind(transverse_drag=1.0), 34.0, 5, a, b, current=sheared), moved),
         "bending": (single(bent, 34.0, 9, a, b), None),
         "two segments, bent, held by a free point": (mooring(bent, (a, buoy), (line(1, 3, 1, ("rope", 12.0, 2)),)), None),
+        "maps": (single(CHAIN, 34.0, 5, a, b, water_depth=20.0, **mapped), moved),
+        "soil curves": (single(CHAIN, 34.0, 5, a, b, water_depth=20.0, friction=soil), moved),
         "no water, no weight": (single(kind(), 30.0, 3, a, b, water_density=0.0, gravity=0.0), moved),
     }  # fmt: skip
 

@@ -14,10 +14,11 @@ from dense import DAMPING, MASS, STIFFNESS, full
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from moorings import curve
+from scipy.interpolate import RegularGridInterpolator
 
 from moorage.layout import Weights
 from moorage.physics import friction as law
-from moorage.physics.bathymetry import bed_at, flat_bed, grid_bed
+from moorage.physics.bathymetry import EASE, bed_at, flat_bed, grid_bed
 from moorage.physics.bending import (
     EXACT,
     PAPER,
@@ -36,7 +37,16 @@ from moorage.physics.bending import (
 from moorage.physics.contact import Contact, contact_energy, contact_fraction, contact_terms
 from moorage.physics.current import Current, current_at
 from moorage.physics.friction import Friction, friction_terms, stuck_after
-from moorage.physics.morison import Morison, drag_terms, drag_turn, hydro_block, inertia_terms, wet_node, wet_part
+from moorage.physics.grid import build_grid, no_grid, values_at
+from moorage.physics.morison import (
+    Morison,
+    drag_terms,
+    drag_turn,
+    hydro_block,
+    inertia_terms,
+    wet_node,
+    wet_part,
+)
 from moorage.physics.motion import follow, spline_tracks
 from moorage.physics.point import PointLoads, point_terms, wet_fraction
 from moorage.physics.table import build_tables, interval, look_up
@@ -377,15 +387,48 @@ PENETRATIONS = st.floats(-0.5, 0.5).filter(lambda d: abs(d) > 1e-3)
 PLACES = st.tuples(st.floats(-35.0, 35.0), st.floats(-25.0, 25.0))
 
 
+@FEW
+@given(PLACES)
+def test_map_is_bilinear_and_goes_on_outside(place):
+    x, y = np.array([-40.0, -12.0, 5.0, 40.0]), np.array([-30.0, 2.0, 30.0])
+    first, second = np.sin(x[:, None] + 2.0 * y), 3.0 + x[:, None] * y
+    p = build_grid(x, y, first, second)
+    for scaled in (place, tuple(2.0 * np.array(place))):
+        held = np.clip(scaled, [x[0], y[0]], [x[-1], y[-1]])
+        expected = [RegularGridInterpolator((x, y), value)(held)[0] for value in (first, second)]
+        assert values_at(p, *scaled) == pytest.approx(expected, rel=1e-9, abs=1e-9)
+
+
+def test_contact_and_friction_take_their_map_at_the_place_of_the_node():
+    r, i, zero = (3.0, -7.0, -20.1), np.uintp(0), (0.0, 0.0, 0.0)
+    grid = build_grid([0.0, 10.0], [-10.0, 0.0], [[1.0, 2.0], [3.0, 4.0]], [[0.2, 0.4], [0.6, 0.8]])
+    soft = contact_on("flat")._replace(stiffness=grid, spring=np.array([100.0]))
+    assert contact_terms(soft, i, r, r, zero, STIFFNESS)[0] == pytest.approx(100.0 * 1.9 * 0.1)
+    rough = rubbing("elastic", 1.0, 1.0)._replace(map=grid)
+    far = (4.0, -7.0, -20.1)
+    assert friction_terms(rough, i, 50.0, UP, (1.0, 0.0, 0.0), r, zero, far, STIFFNESS)[0][0] == pytest.approx(95.0)
+    assert friction_terms(rough, i, 50.0, UP, (0.0, 1.0, 0.0), r, zero, far, STIFFNESS)[0][0] == pytest.approx(19.0)
+
+
 def contact_on(bed):
-    return Contact(np.array([5e3]), np.array([700.0]), BEDS[bed])
+    return Contact(np.array([5e3]), np.array([700.0]), BEDS[bed], no_grid())
+
+
+def on_an_edge(p, place):
+    """Whether a place is where the slopes of two cells of a grid meet."""
+    if len(p.x.at) == 0:
+        return False
+    return any(
+        np.abs(axis.at - x).min() < 1.01 * EASE * np.diff(axis.at).max()
+        for axis, x in zip((p.x, p.y), place, strict=True)
+    )
 
 
 @FEW
 @given(st.sampled_from(sorted(BEDS)), PLACES)
 def test_slopes_of_the_bed_are_its_derivatives(bed, place):
     p = BEDS[bed]
-    if len(p.x) and min(np.abs(p.x - place[0]).min(), np.abs(p.y - place[1]).min()) < 1e-3:
+    if on_an_edge(p, place):
         return  # the bilinear surface has edges there
     _, zx, zy, zxx, zxy, zyy = bed_at(p, *place)
     agree([zx, zy], derivative(lambda *x: [bed_at(p, *x)[0]], place, 1e-5)[0], 1e-6, 1.0)
@@ -400,7 +443,7 @@ def test_contact_block_is_the_symmetric_part_of_the_derivative(bed, place, befor
     p, i = contact_on(bed), np.uintp(0)
     if abs(depth - before) < 1e-2:
         return
-    if len(p.bed.x) and min(np.abs(p.bed.x - place[0]).min(), np.abs(p.bed.y - place[1]).min()) < 1e-3:
+    if on_an_edge(p.bed, place):
         return
     level = bed_at(p.bed, *place)[0]
     r0, r = (*place, level - before), (*place, level - depth)
@@ -423,16 +466,25 @@ def test_bed_pushes_with_minus_the_gradient_of_its_energy(bed, place, depth):
     p, i = contact_on(bed), np.uintp(0)
     r = (*place, bed_at(p.bed, *place)[0] - depth)
     N, n, _ = contact_terms(p, i, r, r, (0.0, 0.0, 0.0), STIFFNESS)
-    if len(p.bed.x) and min(np.abs(p.bed.x - place[0]).min(), np.abs(p.bed.y - place[1]).min()) < 1e-3:
+    if on_an_edge(p.bed, place):
         return
     agree(N * np.array(n), -derivative(lambda *x: [contact_energy(p, i, x)], r)[0], 1e-6, 5e3)
 
 
+CURVES = build_tables([curve((0.0, 0.0), (2e-3, 0.3), (6e-3, 0.5)), curve((0.0, 0.0), (5e-3, 0.5), (2e-2, 0.8))])
+
+
 def rubbing(name, axial=0.4, transverse=0.7, ratio=1.0):
-    laws = {"saturated": law.SATURATED, "velocity": law.VELOCITY, "elastic": law.ELASTIC, "stick-slip": law.STICK_SLIP}
+    laws = {
+        "saturated": law.SATURATED,
+        "velocity": law.VELOCITY,
+        "elastic": law.ELASTIC,
+        "stick-slip": law.STICK_SLIP,
+        "soil": law.SOIL,
+    }
     return Friction(
-        laws[name], axial, transverse, ratio, 1e4 * axial, 1e4 * transverse, 0.05, np.array([2e5]),
-        np.array([300.0 if name == "stick-slip" else 0.0]), False,
+        laws[name], axial, transverse, ratio, 1e4, 0.05, np.array([2e5]),
+        np.array([300.0 if name == "stick-slip" else 0.0]), False, no_grid(), CURVES,
     )  # fmt: skip
 
 
@@ -476,6 +528,32 @@ def test_friction_of_velocity_takes_energy_and_its_block_is_its_derivative(name,
 
 
 @FEW
+@given(st.tuples(st.floats(-0.03, 0.03), st.floats(-0.03, 0.03)), st.booleans())
+def test_soil_curves_have_their_tangent_and_give_their_coefficients(way, stands):
+    """Along the line and across it apart; a line that stands on the bed has no direction, and is held by the latter."""
+    p, N, i, zero = rubbing("soil"), 800.0, np.uintp(0), (0.0, 0.0, 0.0)
+    q, r = UP if stands else ALONG, (*way, 0.0)
+    along = 0.0 if stands else abs(np.dot(r, q))
+    across = np.sqrt(max(np.dot(r, r) - along**2, 0.0))
+    corners = np.abs(np.subtract.outer([along, across], [0.0, 2e-3, 6e-3, 5e-3, 2e-2]))
+    if corners[1].min() < 1e-5 or (not stands and corners[0].min() < 1e-5):
+        return
+
+    def force(*r):
+        return friction_terms(p, i, N, UP, q, r, zero, zero, STIFFNESS)[0]
+
+    f = np.array(force(*r))
+    found = 0.0 if stands else abs(f @ q)
+    assert found == pytest.approx(N * np.interp(along, [0.0, 2e-3, 6e-3], [0.0, 0.3, 0.5]), abs=1e-9)
+    assert np.sqrt(max(f @ f - found**2, 0.0)) == pytest.approx(
+        N * np.interp(across, [0.0, 5e-3, 2e-2], [0.0, 0.5, 0.8]), abs=1e-6
+    )
+    assert f @ r <= 0.0
+    block = full(friction_terms(p, i, N, UP, q, r, zero, zero, STIFFNESS)[1])
+    agree(block[:2, :2], -derivative(force, r, 1e-8)[:2, :2], 1e-4, 1e5)
+
+
+@FEW
 @given(SLOW)
 def test_return_mapping_has_its_consistent_tangent(d):
     """Isotropic: the derivative of the returned force; on the ellipse of unequal coefficients it is not symmetric."""
@@ -492,9 +570,10 @@ def test_return_mapping_has_its_consistent_tangent(d):
     agree(block[:2, :2], D[:2, :2], 1e-4, 2e5)
 
 
-def test_no_energy_is_gained_in_a_closed_loop():
+@pytest.mark.parametrize("name", ["elastic", "soil"])
+def test_no_energy_is_gained_in_a_closed_loop(name):
     """A node led round a loop and back: friction has taken work, and what its spring holds was paid for."""
-    p, N, i, zero = rubbing("elastic"), 800.0, np.uintp(0), (0.0, 0.0, 0.0)
+    p, N, i, zero = rubbing(name), 800.0, np.uintp(0), (0.0, 0.0, 0.0)
     angle = np.linspace(0.0, 2.0 * np.pi, 721)
     path = 0.02 * np.stack([np.cos(angle) - 1.0, np.sin(angle), 0.0 * angle], axis=1)
     stuck, work, before = zero, 0.0, np.zeros(3)

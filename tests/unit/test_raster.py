@@ -66,8 +66,8 @@ def netcdf(path, z=Z, x=X, y=Y, units="m", name="elevation", flip=False, **attri
 
 
 def geotiff(path, z=Z, crs=UTM, nodata=-9999.0):
-    rasterio = pytest.importorskip("rasterio")
-    to = rasterio.transform.from_origin(EAST - 5.0, NORTH + 130.0, 10.0, 20.0)
+    rasterio = pytest.importorskip("rasterio", reason="GeoTIFF needs rasterio, of the extra geo")
+    to = rasterio.Affine(10.0, 0.0, EAST - 5.0, 0.0, -20.0, NORTH + 130.0)
     shape = {"width": len(X), "height": len(Y), "count": 1, "dtype": "float32", "transform": to}
     with rasterio.open(path, "w", driver="GTiff", crs=crs, nodata=nodata, **shape) as file:
         file.write(np.where(np.isfinite(z), z, nodata).T[::-1].astype("float32"), 1)
@@ -176,7 +176,7 @@ def test_geographic_raster_needs_a_system_in_metres(tmp_path):
         moorage.read_bathymetry(path)
     with pytest.raises(ModelError, match="is in degrees where metres are needed"):
         moorage.read_bathymetry(path, crs="EPSG:4326")
-    pyproj = pytest.importorskip("pyproj")
+    pyproj = pytest.importorskip("pyproj", reason="coordinate systems need pyproj, of the extra geo")
     origin = pyproj.Transformer.from_crs("EPSG:4326", UTM, always_xy=True).transform(3.016, 54.012)
     grid = moorage.read_bathymetry(path, origin=origin, crs=UTM, spacing=50.0)
     assert grid.depth_at(0.0, 0.0) == pytest.approx(-Z[4, 3], abs=1e-3)
@@ -197,7 +197,7 @@ def test_missing_system(tmp_path):
 
 
 def test_systems_that_do_not_go_together(tmp_path):
-    pytest.importorskip("pyproj")
+    pytest.importorskip("pyproj", reason="coordinate systems need pyproj, of the extra geo")
     path = esri(tmp_path / "a.asc")
     with pytest.raises(ModelError, match=r"coordinate system is not known.*\n.*EPSG"):
         moorage.read_bathymetry(path, crs="UTM somewhere")
@@ -208,7 +208,7 @@ def test_systems_that_do_not_go_together(tmp_path):
 
 
 def test_system_beside_an_esri_grid(tmp_path):
-    pyproj = pytest.importorskip("pyproj")
+    pyproj = pytest.importorskip("pyproj", reason="coordinate systems need pyproj, of the extra geo")
     path = esri(tmp_path / "a.asc")
     path.with_suffix(".prj").write_text(pyproj.CRS(UTM).to_wkt("WKT1_ESRI"))
     assert moorage.read_bathymetry(path, origin=(EAST, NORTH)).depth_at(20.0, 40.0) == pytest.approx(-Z[2, 2])
@@ -275,7 +275,7 @@ def test_netcdf_without_or_with_many_grids(tmp_path):
 
 
 def test_turned_geotiff(tmp_path):
-    rasterio = pytest.importorskip("rasterio")
+    rasterio = pytest.importorskip("rasterio", reason="GeoTIFF needs rasterio, of the extra geo")
     to = rasterio.Affine(10.0, 1.0, EAST, 1.0, -10.0, NORTH)
     with rasterio.open(
         tmp_path / "a.tif", "w", driver="GTiff", width=3, height=3, count=1, dtype="float32", transform=to

@@ -1,12 +1,14 @@
 """What a result holds of the seabed: contact, friction, uplift, touchdown, energy, in memory and on disk."""
 
 import dataclasses
+import signal
 
 import numpy as np
 import pytest
 from moorings import CHAIN, coupled, fixed, free, kind, line, mooring, weight_in_water
 
 import moorage
+from moorage import streaming
 from moorage.model import Bathymetry, Friction, Motion
 from moorage.results import seabed_reports, static_report
 from moorage.results.seabed import running_integral, uplift
@@ -202,3 +204,21 @@ def test_integral_goes_on_from_block_to_block():
     second = running_integral(time[8:], power[8:], (time[7], power[7], whole[7]))
     np.testing.assert_array_equal(second, whole[8:])
     assert running_integral(time[:0], power[:0]).shape == (0, 1)
+
+
+def test_resumed_run_goes_on_with_friction_and_its_energy(surge, tmp_path, monkeypatch):
+    """The places where nodes stick are in the checkpoint, and the energy is that of the whole run."""
+    monkeypatch.setattr(streaming, "BLOCK_SECONDS", 0.01)
+    model = sloping(friction=Friction(axial=0.5, transverse=0.7))
+    settings = {"motion": surge, "duration": 12.0, "dt_out": 0.1, "time_step": 0.01}
+    whole = moorage.simulate(model, **settings)
+
+    def progress(time, duration, wall):
+        if time >= 5.0:
+            signal.raise_signal(signal.SIGINT)
+
+    with pytest.raises(moorage.RunInterrupted):
+        moorage.simulate(model, **settings, output=tmp_path / "run.nc", progress=progress)
+    with moorage.simulate(model, **settings, output=tmp_path / "run.nc", resume=True) as resumed:
+        for name in whole.variables:
+            np.testing.assert_array_equal(resumed[name].values, whole[name].values, err_msg=name)

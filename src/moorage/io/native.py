@@ -29,6 +29,7 @@ from moorage.model import (
     ExternalLoad,
     Failure,
     Friction,
+    FrictionMap,
     Line,
     LineType,
     Model,
@@ -37,6 +38,7 @@ from moorage.model import (
     Rod,
     RodType,
     Section,
+    StiffnessMap,
     UnreadWater,
     Waves,
 )
@@ -102,7 +104,11 @@ def _environment(values: Values, folder: Path, found: Findings) -> Environment:
         values = values | {"bathymetry": _seabed(values["bathymetry"], folder, found)}
     if "waves" in values:
         values = values | {"waves": _waves(values, found)}
-    parts: dict[str, type] = {"friction": Friction, "current": Current, "unread_water": UnreadWater}
+    if "map" in values.get("friction", ()):
+        values = values | {"friction": values["friction"] | {"map": FrictionMap(**values["friction"]["map"])}}
+    parts: dict[str, type] = {
+        "friction": Friction, "current": Current, "unread_water": UnreadWater, "seabed_stiffness_map": StiffnessMap,
+    }  # fmt: skip
     made = {key: parts[key](**value) if key in parts else value for key, value in values.items() if key != "source"}
     return Environment(**made)
 

@@ -16,7 +16,16 @@ from moorage.model.components import (
     RodType,
     Section,
 )
-from moorage.model.environment import Bathymetry, Current, Environment, Friction, Resampling, UnreadWater
+from moorage.model.environment import (
+    Bathymetry,
+    Current,
+    Environment,
+    Friction,
+    FrictionMap,
+    Resampling,
+    StiffnessMap,
+    UnreadWater,
+)
 from moorage.model.model import Model, OutputChannel, UnusedOption
 from moorage.model.motion import Motion
 from moorage.model.waves import Waves
@@ -34,6 +43,7 @@ __all__ = [
     "ExternalLoad",
     "Failure",
     "Friction",
+    "FrictionMap",
     "Line",
     "LineType",
     "Model",
@@ -44,6 +54,7 @@ __all__ = [
     "Rod",
     "RodType",
     "Section",
+    "StiffnessMap",
     "UnreadWater",
     "UnusedOption",
     "Waves",

@@ -8,7 +8,8 @@ from math import isfinite
 
 from moorage.errors import Problem
 from moorage.model.bed_doubts import extent, is_inside
-from moorage.model.environment import Bathymetry
+from moorage.model.components import Curve
+from moorage.model.environment import Bathymetry, Friction, FrictionMap, StiffnessMap
 from moorage.model.model import Model
 from moorage.model.seabed import is_anchor
 
@@ -67,3 +68,59 @@ def friction_is_possible(model: Model) -> Iterator[Problem]:
     if friction.static_ratio < 1.0:
         remedy = "give a ratio of static to kinetic friction of at least 1"
         yield Problem("static friction is below kinetic friction", remedy, friction.source, friction.static_ratio)
+    if friction.map is not None and max(abs(friction.axial), abs(friction.transverse)) > 0.0:
+        message = "seabed friction has coefficients and a map of them"
+        yield Problem(message, "give either axial and transverse, or map", friction.source)
+    yield from _curve_problems(friction)
+
+
+def _curve_problems(friction: Friction) -> Iterator[Problem]:
+    """Curves go with soil-curves and nothing else; each rises from 0, 0 to its end."""
+    curves = {"axial_curve": friction.axial_curve, "transverse_curve": friction.transverse_curve}
+    if friction.model != "soil-curves":
+        if any(curve is not None for curve in curves.values()):
+            yield Problem(
+                "curves of friction go with the model soil-curves", "write it", friction.source, friction.model
+            )
+        return
+    if friction.map is not None or max(abs(friction.axial), abs(friction.transverse)) > 0.0:
+        message = "soil-curves take no coefficients"
+        yield Problem(message, "give axial_curve and transverse_curve only", friction.source)
+    for name, curve in curves.items():
+        if not isinstance(curve, Curve) or len(curve.x) < 2 or len(curve.x) != len(curve.y):
+            remedy = f"give {name}: {{x: [0, ...], y: [0, ...]}}"
+            yield Problem(f"soil-curves need a table as {name}", remedy, friction.source)
+            continue
+        if curve.x[0] != 0.0 or curve.y[0] != 0.0:
+            yield Problem(f"{name} of friction does not start at 0, 0", "add that row", friction.source)
+        if any(b <= a for a, b in pairwise(curve.x)):
+            yield Problem(f"displacements of {name} do not increase", "sort the rows", friction.source)
+        if any(b < a for a, b in pairwise(curve.y)):
+            remedy = "give its residual: a peak that is lost by slipping is not simulated"
+            yield Problem(f"{name} of friction falls", remedy, friction.source)
+
+
+def maps_are_grids(model: Model) -> Iterator[Problem]:
+    """Maps of the seabed's properties have a value, not negative, for each x and y, which increase."""
+    env = model.environment
+    if env.friction is not None and env.friction.map is not None:
+        grid = env.friction.map
+        yield from _map_problems("friction map", grid, {"axial": grid.axial, "transverse": grid.transverse})
+    if env.seabed_stiffness_map is not None:
+        kb = env.seabed_stiffness_map
+        yield from _map_problems("stiffness map", kb, {"stiffness": kb.stiffness})
+
+
+def _map_problems(
+    name: str, grid: FrictionMap | StiffnessMap, tables: dict[str, tuple[tuple[float, ...], ...]]
+) -> Iterator[Problem]:
+    for word, axis in (("x", grid.x), ("y", grid.y)):
+        if not axis or not all(b > a for a, b in pairwise(axis)) or not all(map(isfinite, axis)):
+            yield Problem(f"{word} of the {name} does not increase", "sort the grid", grid.source)
+    for word, table in tables.items():
+        if len(table) != len(grid.x) or any(len(row) != len(grid.y) for row in table):
+            message = f"{word} of the {name} is not {len(grid.x)} rows of {len(grid.y)} values"
+            yield Problem(message, "give a row for each x with a value for each y", grid.source)
+        bad = [value for row in table for value in row if not (isfinite(value) and value >= 0.0)]
+        if bad:
+            yield Problem(f"{word} of the {name} must not be negative", "correct the values", grid.source, bad[0])

@@ -21,7 +21,7 @@ def weak_friction(model: Model) -> list[Problem]:
     the finer the mesh, the larger it is.
     """
     friction = model.environment.friction
-    if friction is None or friction.model != "saturated-damping" or max(friction.axial, friction.transverse) <= 0.0:
+    if friction is None or friction.model != "saturated-damping" or friction.largest <= 0.0:
         return []
     slope = friction.damping * (friction.static_ratio if model.flavour == "native" else 1.0)
     weight = {line.id: heaviest_node(model, line) for line in model.lines}

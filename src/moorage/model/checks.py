@@ -9,7 +9,7 @@ from math import isfinite
 from typing import Any
 
 from moorage.errors import ModelError, Problem, Source
-from moorage.model.bed_checks import anchors_are_on_the_grid, depths_are_positive, friction_is_possible
+from moorage.model.bed_checks import anchors_are_on_the_grid, depths_are_positive, friction_is_possible, maps_are_grids
 from moorage.model.bed_doubts import anchors_over_the_bed, points_off_the_grid, weak_friction
 from moorage.model.cables import (
     directions_are_given,
@@ -21,11 +21,13 @@ from moorage.model.cables import (
 )
 from moorage.model.channels import parse_channel
 from moorage.model.components import Attachment, Curve, Line, LineType
-from moorage.model.environment import Bathymetry
+from moorage.model.environment import Bathymetry, FrictionMap, StiffnessMap
 from moorage.model.model import Model
 from moorage.model.seabed import below_seabed
 
 Check = Callable[[Model], Iterator[Problem]]
+
+OWN_CHECK = Source | Bathymetry | FrictionMap | StiffnessMap  # grids are looked through elsewhere
 
 
 def check(model: Model) -> None:
@@ -75,7 +77,7 @@ def _floats(thing: object, field: str = "") -> Iterator[tuple[str, float]]:
     elif isinstance(thing, tuple):
         for item in thing:
             yield from _floats(item, field)
-    elif dataclasses.is_dataclass(thing) and not isinstance(thing, Source | Bathymetry):  # grids have their own check
+    elif dataclasses.is_dataclass(thing) and not isinstance(thing, OWN_CHECK):
         for part in dataclasses.fields(thing):
             yield from _floats(getattr(thing, part.name), part.name)
 
@@ -340,6 +342,7 @@ CHECKS: tuple[Check, ...] = (
     numbers_are_finite,
     environment_is_possible,
     friction_is_possible,
+    maps_are_grids,
     depths_are_positive,
     current_is_a_profile,
     line_types_are_possible,

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from moorage.errors import Source
+from moorage.model.components import Curve
 from moorage.model.waves import Waves
 
 
@@ -70,6 +71,33 @@ def _bracket(levels: tuple[float, ...], value: float) -> tuple[int, float]:
     return k, min(1.0, max(0.0, (value - levels[k]) / (levels[k + 1] - levels[k])))
 
 
+@dataclass(frozen=True)
+class FrictionMap:
+    """Kinetic coefficients on a rectangular grid: x (nx,) m, y (ny,) m, axial and transverse (nx, ny), -.
+
+    Bilinear between its points; outside the nearest edge goes on.
+    """
+
+    x: tuple[float, ...]
+    y: tuple[float, ...]
+    axial: tuple[tuple[float, ...], ...]
+    transverse: tuple[tuple[float, ...], ...]
+    source: Source | None = field(default=None, compare=False, repr=False)
+
+
+@dataclass(frozen=True)
+class StiffnessMap:
+    """Stiffness of the seabed on a rectangular grid: x (nx,) m, y (ny,) m, stiffness (nx, ny) Pa/m.
+
+    Bilinear between its points; outside the nearest edge goes on.
+    """
+
+    x: tuple[float, ...]
+    y: tuple[float, ...]
+    stiffness: tuple[tuple[float, ...], ...]
+    source: Source | None = field(default=None, compare=False, repr=False)
+
+
 @dataclass(frozen=True, kw_only=True)
 class Friction:
     """Friction of the seabed.
@@ -82,6 +110,7 @@ class Friction:
         Static over kinetic coefficient, -.
     model : str
         "elastic-slip" (sticks; the default of native files), "stick-slip" (with static above kinetic),
+        "soil-curves" (forces by displacement),
         "saturated-damping" (Housner et al. 2022, equations 5-13; MoorDyn's) or "velocity-dependent" (after Lee et al.
         2018).
     damping : float
@@ -95,17 +124,36 @@ class Friction:
     velocity : float
         At which stick-slip has lost half of what static friction has above kinetic, or velocity-dependent friction
         reaches its static coefficient, m/s.
+    map : FrictionMap or None
+        Coefficients over x and y, in place of `transverse` and `axial`.
+    axial_curve, transverse_curve : Curve or None
+        Of "soil-curves": displacement (m) and mobilised coefficient (-), from 0, 0 on and not falling. Beyond its last
+        row a curve is level and the node slips.
     """
 
     transverse: float = 0.0
     axial: float = 0.0
     static_ratio: float = 1.0
-    model: Literal["elastic-slip", "stick-slip", "saturated-damping", "velocity-dependent"] = "elastic-slip"
+    model: Literal["elastic-slip", "stick-slip", "soil-curves", "saturated-damping", "velocity-dependent"] = (
+        "elastic-slip"
+    )
     damping: float = 200.0
     shear_stiffness: float | None = None
     velocity: float = 0.01
     laid: bool = False
+    map: FrictionMap | None = None
+    axial_curve: float | Curve | None = None
+    transverse_curve: float | Curve | None = None
     source: Source | None = field(default=None, compare=False, repr=False)
+
+    @property
+    def largest(self) -> float:
+        """Largest kinetic coefficient, -."""
+        if self.model == "soil-curves":
+            curves = (self.axial_curve, self.transverse_curve)
+            return max((value for curve in curves if isinstance(curve, Curve) for value in curve.y), default=0.0)
+        tables = (self.map.axial, self.map.transverse) if self.map else (((self.axial, self.transverse),),)
+        return max((value for table in tables for row in table for value in row), default=0.0)
 
 
 @dataclass(frozen=True)
@@ -141,6 +189,8 @@ class Environment:
         kg/m3.
     seabed_stiffness, seabed_damping : float
         Pa/m and Pa s/m on the projected area d l of the line.
+    seabed_stiffness_map : StiffnessMap or None
+        Stiffness over x and y, in place of `seabed_stiffness` in the normal force (not in that of friction's spring).
     """
 
     water_depth: float
@@ -148,6 +198,7 @@ class Environment:
     water_density: float = 1025.0
     seabed_stiffness: float = 3.0e6
     seabed_damping: float = 3.0e5
+    seabed_stiffness_map: StiffnessMap | None = None
     friction: Friction | None = None
     bathymetry: Bathymetry | None = None
     current: Current = Current()

@@ -15,7 +15,7 @@ from typing import NamedTuple
 import numpy as np
 
 from moorage._jit import inlined
-from moorage.physics.table import interval
+from moorage.physics.grid import Axis, build_axis, locate
 
 EASE = 0.01  # of a cell, beside its edges, where the slopes of two cells meet
 
@@ -23,8 +23,8 @@ EASE = 0.01  # of a cell, beside its edges, where the slopes of two cells meet
 class Bathymetry(NamedTuple):
     """Parameters of the surface z_b(x, y)."""
 
-    x: np.ndarray  # (nx,) m, increasing; none: a flat bed
-    y: np.ndarray  # (ny,) m
+    x: Axis  # nx points; none: a flat bed
+    y: Axis  # ny points
     level: np.ndarray  # (nx, ny) z of the bed, m
     slope: np.ndarray  # (nx, ny, 3) z_x, z_y, z_xy at the grid points, for the smooth surface
     flat: float  # z of a flat bed, m
@@ -35,7 +35,7 @@ class Bathymetry(NamedTuple):
 def flat_bed(level: float) -> Bathymetry:
     """Return a level bed at z = level (m)."""
     return Bathymetry(
-        np.zeros(0), np.zeros(0), np.zeros((0, 0)), np.zeros((0, 0, 3)), float(level), float(level), False
+        build_axis(()), build_axis(()), np.zeros((0, 0)), np.zeros((0, 0, 3)), float(level), float(level), False
     )
 
 
@@ -49,36 +49,30 @@ def grid_bed(x, y, depth, smooth: bool = False) -> Bathymetry:
     # a bicubic may overshoot its grid points by an eighth of a cell's slopes
     steps = max(np.diff(x).max(initial=0.0), np.diff(y).max(initial=0.0))
     rise = 0.25 * steps * float(np.abs(slope[:, :, :2]).max(initial=0.0)) if smooth else 0.0
-    return Bathymetry(x, y, np.ascontiguousarray(level), slope, 0.0, float(level.max()) + rise, smooth)
+    axes = build_axis(x), build_axis(y)
+    return Bathymetry(*axes, np.ascontiguousarray(level), slope, 0.0, float(level.max()) + rise, smooth)
 
 
 @inlined
 def bed_at(p, x, y):
     """Level (m), slopes z_x and z_y (-), and z_xx, z_xy, z_yy (1/m) of the bed at a place."""
-    nx, ny = len(p.x), len(p.y)
-    if nx == 0:
+    if len(p.x.at) == 0:
         return p.flat, 0.0, 0.0, 0.0, 0.0, 0.0
-    xc, yc = min(max(x, p.x[0]), p.x[nx - 1]), min(max(y, p.y[0]), p.y[ny - 1])
-    inside_x, inside_y = 1.0 if xc == x else 0.0, 1.0 if yc == y else 0.0
-    i = interval(p.x, 0, nx, xc) if nx > 1 else 0
-    j = interval(p.y, 0, ny, yc) if ny > 1 else 0
-    i1, j1 = min(i + 1, nx - 1), min(j + 1, ny - 1)
-    dx, dy = p.x[i1] - p.x[i] if nx > 1 else 1.0, p.y[j1] - p.y[j] if ny > 1 else 1.0
-    u, v = (xc - p.x[i]) / dx, (yc - p.y[j]) / dy
+    i, i1, u, per_x = locate(p.x, x)
+    j, j1, v, per_y = locate(p.y, y)
+    dx, dy = p.x.at[i1] - p.x.at[i], p.y.at[j1] - p.y.at[j]
     if p.smooth:
         z, zu, zv, zuu, zuv, zvv = bicubic(p, i, i1, j, j1, dx, dy, u, v)
     else:
         z, zu, zv, zuv = bilinear(p, i, i1, j, j1, u, v)
         zuu, zvv = 0.0, 0.0
         if u < EASE or u > 1.0 - EASE:
-            other, share = slope_x_beyond(p, i - 1 if u < 0.5 else i + 1, dx, j, j1, v)
+            other, share = slope_x_beyond(p, int(i) - 1 if u < 0.5 else int(i) + 1, dx, j, j1, v)
             zu, zuu = eased(zu, other, share, u)
         if v < EASE or v > 1.0 - EASE:
-            other, share = slope_y_beyond(p, j - 1 if v < 0.5 else j + 1, dy, i, i1, u)
+            other, share = slope_y_beyond(p, int(j) - 1 if v < 0.5 else int(j) + 1, dy, i, i1, u)
             zv, zvv = eased(zv, other, share, v)
-    zx, zy = inside_x * zu / dx, inside_y * zv / dy
-    both = inside_x * inside_y
-    return z, zx, zy, inside_x * zuu / (dx * dx), both * zuv / (dx * dy), inside_y * zvv / (dy * dy)
+    return z, zu * per_x, zv * per_y, zuu * per_x * per_x, zuv * per_x * per_y, zvv * per_y * per_y
 
 
 @inlined
@@ -92,19 +86,19 @@ def bilinear(p, i, i1, j, j1, u, v):
 @inlined
 def slope_x_beyond(p, i, dx, j, j1, v):
     """Rise along x of the neighbour cell i over a length dx, and its share at the edge: all where the grid ends."""
-    if i < 0 or i > len(p.x) - 2:
+    if i < 0 or i > len(p.x.at) - 2:
         return 0.0, 1.0
     low, high = p.level[i + 1, j] - p.level[i, j], p.level[i + 1, j1] - p.level[i, j1]
-    return (low + v * (high - low)) * dx / (p.x[i + 1] - p.x[i]), 0.5
+    return (low + v * (high - low)) * dx / (p.x.at[i + 1] - p.x.at[i]), 0.5
 
 
 @inlined
 def slope_y_beyond(p, j, dy, i, i1, u):
     """Same along y of the neighbour cell j."""
-    if j < 0 or j > len(p.y) - 2:
+    if j < 0 or j > len(p.y.at) - 2:
         return 0.0, 1.0
     low, high = p.level[i, j + 1] - p.level[i, j], p.level[i1, j + 1] - p.level[i1, j]
-    return (low + u * (high - low)) * dy / (p.y[j + 1] - p.y[j]), 0.5
+    return (low + u * (high - low)) * dy / (p.y.at[j + 1] - p.y.at[j]), 0.5
 
 
 @inlined
@@ -155,5 +149,7 @@ def bicubic(p, i, i1, j, j1, dx, dy, u, v):
 @inlined
 def normal_of(zx, zy):
     """Unit normal of a bed with these slopes, upwards."""
+    if zx == 0.0 and zy == 0.0:
+        return 0.0, 0.0, 1.0
     nz = 1.0 / math.sqrt(1.0 + zx * zx + zy * zy)
     return -zx * nz, -zy * nz, nz

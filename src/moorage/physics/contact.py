@@ -17,14 +17,16 @@ import numpy as np
 from moorage._jit import inlined
 from moorage._vec3 import dot, isotropic_plus, sym_add, sym_outer
 from moorage.physics.bathymetry import Bathymetry, bed_at, normal_of
+from moorage.physics.grid import Grid, values_at
 
 
 class Contact(NamedTuple):
     """Parameters of the nodes."""
 
-    spring: np.ndarray  # (nodes,) kb d l, N/m
+    spring: np.ndarray  # (nodes,) kb d l, N/m; with a map of kb d l, m2
     damper: np.ndarray  # (nodes,) cb d l, N s/m
     bed: Bathymetry
+    stiffness: Grid  # map of kb, Pa/m (its second value is not used); no points: the same everywhere
 
 
 @inlined
@@ -51,25 +53,38 @@ def near_bed(p, before, r):
 def contact_terms(p, i, before, r, v, c):
     """Normal force on node i (N, along n), n, and the block; before: its position at the start of the step.
 
-    The block keeps the symmetric part of how n turns on a curved bed.
+    The block keeps the symmetric part of how n turns on a curved bed, and leaves out how a map's stiffness changes.
     """
     level, zx, zy, zxx, zxy, zyy = bed_at(p.bed, r[0], r[1])
     depth = level - r[2]
-    depth_before = bed_at(p.bed, before[0], before[1])[0] - before[2]
-    n = normal_of(zx, zy)
+    # the bed under the place before, continued from here: exact within a cell of a bilinear bed
+    x, y = before[0] - r[0], before[1] - r[1]
+    depth_before = level + zx * x + zy * y + zxy * x * y - before[2]
     if depth <= 0.0 and depth_before <= 0.0:
-        return 0.0, n, (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+        return 0.0, (0.0, 0.0, 1.0), (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    n = normal_of(zx, zy)
     fraction, ramp = contact_fraction(depth_before, depth)
-    elastic = p.spring[i] * max(depth, 0.0) * n[2]
+    spring = spring_at(p, i, r)
+    elastic = spring * max(depth, 0.0) * n[2]
     speed = dot(v, n)
     damper = fraction * p.damper[i]
     touching = 1.0 if depth > 0.0 else 0.0
     # d depth / dr = -n / n_z
-    stiff = c.stiffness * (touching * p.spring[i] - ramp * p.damper[i] * speed / n[2]) + c.damping * damper
+    stiff = c.stiffness * touching * spring + c.damping * damper
+    if ramp != 0.0:
+        stiff -= c.stiffness * ramp * p.damper[i] * speed / n[2]
     block = isotropic_plus(0.0, stiff, n)
     if zxx != 0.0 or zxy != 0.0 or zyy != 0.0:
         block = sym_add(block, curvature_block(c.stiffness * elastic, n, zxx, zxy, zyy))
     return elastic - damper * speed, n, block
+
+
+@inlined
+def spring_at(p, i, r):
+    """Stiffness of the bed under node i at r, N/m."""
+    if len(p.stiffness.x.at) == 0:
+        return p.spring[i]
+    return p.spring[i] * values_at(p.stiffness, r[0], r[1])[0]
 
 
 @inlined
@@ -93,4 +108,4 @@ def contact_energy(p, i, r):
     """Elastic energy of a flat or sloping plane bed under node i, J."""
     level, zx, zy, _, _, _ = bed_at(p.bed, r[0], r[1])
     depth = max(level - r[2], 0.0) * normal_of(zx, zy)[2]
-    return 0.5 * p.spring[i] * depth * depth
+    return 0.5 * spring_at(p, i, r) * depth * depth

@@ -12,7 +12,11 @@ With N the size of the normal force, w the part of the velocity along the bed, s
   opposes the velocity with mu = 1 / sqrt(cos^2 / mu_a^2 + sin^2 / mu_t^2). Stick-slip lets the coefficients fall from
   static to kinetic with the speed, mu = mu_k + (mu_s - mu_k) / (1 + (w / v_s)^2), and damps the spring.
 
-The blocks leave out how friction changes with the normal force.
+* soil curves: the same memory, with curves of the force in place of the spring and the ellipse (soil_curves.py).
+
+Coefficients may come from a map over x and y, at the place of the node.
+
+The blocks leave out how friction changes with the normal force, and along a map.
 """
 
 from __future__ import annotations
@@ -24,8 +28,11 @@ import numpy as np
 
 from moorage._jit import inlined
 from moorage._vec3 import add, dot, isotropic_plus, scale, sub, sym_add, sym_scale
+from moorage.physics.grid import Grid, values_at
+from moorage.physics.soil_curves import soil_terms
+from moorage.physics.table import Tables
 
-NONE, SATURATED, VELOCITY, ELASTIC, STICK_SLIP = 0, 1, 2, 3, 4
+NONE, SATURATED, VELOCITY, ELASTIC, STICK_SLIP, SOIL = 0, 1, 2, 3, 4, 5
 ZERO3 = (0.0, 0.0, 0.0)
 ZERO6 = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
@@ -34,15 +41,16 @@ class Friction(NamedTuple):
     """Parameters."""
 
     law: int
-    axial: float  # kinetic coefficient along the line
+    axial: float  # kinetic coefficient along the line; 1 with a map
     transverse: float  # and across it
     ratio: float  # static over kinetic
-    slope_axial: float  # of saturated damping, N s/m a node
-    slope_transverse: float
+    slope: float  # of saturated damping, N s/m a node and unit of the coefficient
     velocity: float  # v_s of the laws that fall with speed, m/s
     spring: np.ndarray  # (nodes,) k_s, N/m
     damper: np.ndarray  # (nodes,) of stick-slip, N s/m
     laid: bool  # statics know friction
+    map: Grid  # kinetic coefficients along and across the line; no points: the same everywhere
+    curves: Tables  # mobilised coefficients along and across the line over displacement, m; of soil curves only
 
 
 @inlined
@@ -62,21 +70,34 @@ def split_directions(q, n):
 @inlined
 def friction_terms(p, i, N, n, q, r, v, stuck, c):
     """Friction on node i with normal force N (N), and its block; stuck: where it stuck before the step, m."""
+    mu = coefficients(p, r)
     w = sub(v, scale(dot(v, n), n))
-    s = split_directions(q, n)
     if p.law <= VELOCITY:
-        return sliding(p, N, n, s, w, c)
-    d = sub(r, stuck)
-    d = sub(d, scale(dot(d, n), n))
-    k, damper = p.spring[i], p.damper[i]
-    trial = sub(scale(-k, d), scale(damper, w))
-    over = overload(p, N, s, w, trial)
-    spring = c.stiffness * k + c.damping * damper
-    if over <= 1.0:
+        return sliding(p, mu, N, n, split_directions(q, n), w, c)
+    if p.law == SOIL:
+        force, block, _ = soil_terms(p.curves, N, n, split_directions(q, n), way_along(n, r, stuck), c)
+        return force, block
+    trial = trial_force(p, i, n, w, r, stuck)
+    load = overload(p, mu, N, n, q, w, trial)
+    spring = c.stiffness * p.spring[i] + c.damping * p.damper[i]
+    if load <= 1.0:
         return trial, plane_block(spring, n)
-    force = scale(1.0 / over, trial)
-    t = scale(1.0 / math.sqrt(dot(force, force) + 1e-300), force)
-    return force, sym_add(plane_block(spring / over, n), isotropic_plus(0.0, -spring / over, t))
+    slips = 1.0 / math.sqrt(load)
+    block = sym_add(plane_block(spring * slips, n), isotropic_plus(0.0, -spring * slips / dot(trial, trial), trial))
+    return scale(slips, trial), block
+
+
+@inlined
+def trial_force(p, i, n, w, r, stuck):
+    """Force of the spring, and damper, that hold node i at the place where it stuck."""
+    return sub(scale(-p.spring[i], way_along(n, r, stuck)), scale(p.damper[i], w))
+
+
+@inlined
+def way_along(n, r, stuck):
+    """Way along the bed from where a node stuck, m."""
+    d = sub(r, stuck)
+    return sub(d, scale(dot(d, n), n))
 
 
 @inlined
@@ -84,23 +105,46 @@ def stuck_after(p, i, N, n, q, r, v, stuck, c):
     """Where a node sticks after a step: where it did, or after slipping where its spring gives the friction."""
     if not N > 0.0:
         return r
-    force = friction_terms(p, i, N, n, q, r, v, stuck, c)[0]
+    if p.law == SOIL:
+        d = way_along(n, r, stuck)
+        held = soil_terms(p.curves, N, n, split_directions(q, n), d, c)[2]
+        lost = sub(d, held)
+        return stuck if dot(lost, lost) < 1e-24 else sub(r, held)
     w = sub(v, scale(dot(v, n), n))
-    pull = add(force, scale(p.damper[i], w))
+    trial = trial_force(p, i, n, w, r, stuck)
+    load = overload(p, coefficients(p, r), N, n, q, w, trial)
+    if load <= 1.0:
+        return stuck
+    pull = add(scale(1.0 / math.sqrt(load), trial), scale(p.damper[i], w))
     return add(r, scale(1.0 / p.spring[i], pull))
 
 
 @inlined
-def overload(p, N, s, w, force):
-    """Size of a force in units of the ellipse of friction; more than one slips."""
-    share = 1.0
+def coefficients(p, r):
+    """Kinetic coefficients along and across a line at r."""
+    if len(p.map.x.at) == 0:
+        return p.axial, p.transverse
+    axial, transverse = values_at(p.map, r[0], r[1])
+    return p.axial * axial, p.transverse * transverse
+
+
+@inlined
+def overload(p, mu, N, n, q, w, force):
+    """Square of the size of a force in units of the ellipse of friction; more than one slips.
+
+    Far inside the ellipse, where most nodes are, a bound will do.
+    """
+    size, least = dot(force, force), N * min(mu[0], mu[1])
+    if size < 0.9 * least * least:
+        return 0.0
+    share = N
     if p.law == STICK_SLIP:
         fall = dot(w, w) / (p.velocity * p.velocity)
-        share = 1.0 + (p.ratio - 1.0) / (1.0 + fall)
-    along = dot(force, s)
-    across = max(dot(force, force) - along * along, 0.0)
-    a, b = share * p.axial * N, share * p.transverse * N
-    return math.sqrt(along * along / (a * a + 1e-300) + across / (b * b + 1e-300))
+        share = N * (1.0 + (p.ratio - 1.0) / (1.0 + fall))
+    along = dot(force, split_directions(q, n))
+    across = max(size - along * along, 0.0)
+    a, b = share * mu[0], share * mu[1]
+    return along * along / (a * a + 1e-300) + across / (b * b + 1e-300)
 
 
 @inlined
@@ -110,13 +154,13 @@ def plane_block(stiffness, n):
 
 
 @inlined
-def sliding(p, N, n, s, w, c):
+def sliding(p, mu, N, n, s, w, c):
     """Laws of the velocity alone: axial and transverse parts apart."""
     wa = dot(w, s)
     wt = sub(w, scale(wa, s))
     speed = math.sqrt(dot(wt, wt))
-    fa, da = resistance(p, N, p.axial, p.slope_axial, abs(wa))
-    ft, dt = resistance(p, N, p.transverse, p.slope_transverse, speed)
+    fa, da = resistance(p, N, mu[0], p.slope * mu[0], abs(wa))
+    ft, dt = resistance(p, N, mu[1], p.slope * mu[1], speed)
     over_a, over_t = fa / (abs(wa) + 1e-12), ft / (speed + 1e-12)
     force = add(scale(-over_a * wa, s), scale(-over_t, wt))
     across = sub_plane(n, s)

@@ -36,6 +36,12 @@ def interval(x, begin, end, value):
     guess = min(max(guess, low), high - 1)
     if x[guess] <= value < x[guess + 1]:
         return guess
+    return bisect(x, low, high, value)
+
+
+@inlined
+def bisect(x, low, high, value):
+    """Index k in low..high-1 with x[k] <= value < x[k+1], or the nearest."""
     while high - low > 1:
         middle = (low + high) // 2
         if x[middle] <= value:

@@ -9,6 +9,7 @@ import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection, PolyCollection
+from matplotlib.patheffects import withStroke
 
 from moorage.model import Attachment, Model
 from moorage.physics.bathymetry import bed_at, grid_bed
@@ -119,7 +120,8 @@ def _draw_depth(shown: Footprint, ax: Axes, low: np.ndarray, high: np.ndarray) -
         depth = depth + np.linspace(0.0, 1e-3, depth.shape[0])[:, None]  # a level one has no contours
     ink = ax.contourf(shown.x[i], shown.y[j], depth.T, LEVELS, cmap="Blues", alpha=0.9, zorder=0)
     lines = ax.contour(shown.x[i], shown.y[j], depth.T, ink.levels, colors="white", linewidths=0.5, zorder=1)
-    ax.clabel(lines, fontsize=7, colors="#3A3F44")
+    for label in ax.clabel(lines, fontsize=7, colors="#3A3F44"):
+        label.set_path_effects([withStroke(linewidth=2.0, foreground="white", alpha=0.8)])
     bar = ax.figure.colorbar(ink, ax=ax, shrink=0.85)
     bar.set_label("water depth (m)", fontsize=9)
     bar.ax.tick_params(labelsize=8)

@@ -58,7 +58,7 @@ class Seabed:
     def coordinates(self) -> dict[str, np.ndarray]:
         """The depth grid, empty without one."""
         bed = self.built.system.contact.bed
-        return {"bed_x": bed.x, "bed_y": bed.y, "bed_level": bed.level} if len(bed.x) else {}
+        return {"bed_x": bed.x.at, "bed_y": bed.y.at, "bed_level": bed.level} if len(bed.x.at) else {}
 
     @property
     def sizes(self) -> dict[str, int]:
@@ -93,7 +93,7 @@ class Seabed:
 def seabed_of(model: Model, built: Built) -> Seabed | None:
     """Return what the columns of a seabed need; None for one that is flat and has no friction."""
     friction = model.environment.friction
-    rough = friction is not None and max(friction.axial, friction.transverse) > 0.0
+    rough = friction is not None and friction.largest > 0.0
     if not rough and model.environment.bathymetry is None:
         return None
     bed, ends = built.system.contact.bed, built.state.position[built.names.node_ptr[:-1]]

@@ -17,7 +17,7 @@ from moorage._jit import inlined, kernel
 from moorage._vec3 import add, dot, get, put, scale, sub
 from moorage.layout import Weights, line_nodes, point_row
 from moorage.physics.contact import contact_terms, near_bed
-from moorage.physics.friction import remembers, stuck_after
+from moorage.physics.friction import ELASTIC, NONE, SOIL, STICK_SLIP, remembers, stuck_after
 from moorage.solve.newton import assemble_island, newton_island, shift, solve_island
 from moorage.system.assemble import unit_or_zero
 from moorage.system.attach import attach
@@ -60,6 +60,27 @@ def predict_row(now, trial, i, k):
 
 
 @inlined
+def stay_row(now, trial, i, k):
+    """Set a row of the trial state where it is now: the guess for a node that friction holds.
+
+    From outside the elastic range Newton's method may jump from slip one way to slip the other way, again and again.
+    """
+    a0, v0, r0 = get(now.auxiliary, i), get(now.velocity, i), get(now.position, i)
+    a1 = scale(-1.0 / k.rr1, add(scale(k.h, v0), scale(k.rr0, a0)))
+    acc = sub(a1, add(scale(k.old, get(now.acceleration, i)), scale(k.keep, a0)))
+    put(trial.position, i, r0)
+    put(trial.velocity, i, add(v0, add(scale(k.vv0, a0), scale(k.vv1, a1))))
+    put(trial.acceleration, i, scale(1.0 / k.new, acc))
+
+
+@inlined
+def stayed(now, trial, i):
+    """Whether friction held a node in the last step, of which `trial` still has the start."""
+    s, s0 = get(now.stuck, i), get(trial.stuck, i)
+    return s[0] == s0[0] and s[1] == s0[1] and s[2] == s0[2]
+
+
+@inlined
 def finish_row(now, trial, i, k):
     """Set the auxiliary acceleration of a row; returns its change squared."""
     a0 = get(now.auxiliary, i)
@@ -79,28 +100,41 @@ def implicit_step(system, now, trial, work, island, t, h, control):
     lines, islands = system.lines, system.islands
     k = generalised_alpha(control.rho, h)
     c = Weights(1.0, k.vv1 * k.new, k.rr1 * k.new)
+    rubs, fastest = system.friction.law != NONE, 0.0
+    springs = system.friction.law == ELASTIC or system.friction.law == SOIL
     l0, l1 = islands.line_ptr[island], islands.line_ptr[island + 1]
     p0, p1 = islands.point_ptr[island], islands.point_ptr[island + 1]
     for m in range(l0, l1):
         first, last = line_nodes(lines, islands.lines[m])
         for i in range(first, last + 1):
-            predict_row(now, trial, i, k)
+            if rubs:
+                fastest = max(fastest, dot(get(now.velocity, i), get(now.velocity, i)))
+            if springs and stayed(now, trial, i):
+                stay_row(now, trial, i, k)
+            else:
+                predict_row(now, trial, i, k)
     for p in range(p0, p1):
         predict_row(now, trial, point_row(lines, islands.points[p]), k)
     attach(system, trial, work, island, t + h)
-    converged, iterations, row = False, 0, -1
+    enough = newton_stop(control.newton, system.friction.law, fastest)
+    converged, iterations, row, largest, part = False, 0, -1, 1e300, 1.0
     while iterations < control.iterations:
         newton_island(system, trial, now, work, island, c, t + h)
+        before = largest
         largest, row = shift(system, trial, work, island, c.stiffness, c.damping, 1.0)
         iterations += 1
         if not largest < 1e100:
             break
         if (
-            c.damping * largest < control.newton
+            c.damping * largest < enough
             and tension_left(control, island, c, largest) <= control.leftover[island]  # both 0 without lines
         ):
             converged = True
             break
+        if remembers(system.friction) and largest > 0.7 * before:
+            # a node jumps from slip one way to slip the other way and back: where it sticks lies between
+            part *= 0.5
+            shift(system, trial, work, island, (part - 1.0) * c.stiffness, (part - 1.0) * c.damping, part - 1.0)
     total, rows = 0.0, p1 - p0
     for m in range(l0, l1):
         first, last = line_nodes(lines, islands.lines[m])
@@ -123,18 +157,27 @@ def stick_island(system, now, trial, island):
     for m in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
         first, last = line_nodes(lines, islands.lines[m])
         for i in range(first, last + 1):
-            r, v, before, stuck = (
-                get(trial.position, i),
-                get(trial.velocity, i),
-                get(now.position, i),
-                get(now.stuck, i),
-            )
-            held = r
+            r, before, held = get(trial.position, i), get(now.position, i), get(now.stuck, i)
             if near_bed(system.contact, before, r):
+                v = get(trial.velocity, i)
                 q = unit_or_zero(sub(get(trial.position, min(i + 1, last)), get(trial.position, max(i - 1, first))))
                 N, n, _ = contact_terms(system.contact, np.uintp(i), before, r, v, c)
-                held = stuck_after(system.friction, np.uintp(i), N, n, q, r, v, stuck, c)
+                held = stuck_after(system.friction, np.uintp(i), N, n, q, r, v, held, c)
+            else:
+                held = r
             put(trial.stuck, i, held)
+
+
+@inlined
+def newton_stop(newton, law, fastest):
+    """Velocity increment at which Newton's method stops, m/s; fastest: square of the largest speed in the island.
+
+    With friction, what a stop leaves behind must be small beside the motion, or nodes at rest creep; where friction
+    falls with the speed it must be small in any case, or the next steps find no solution.
+    """
+    if law == NONE:
+        return newton
+    return 0.04 * newton if law == STICK_SLIP else min(newton, max(0.04 * newton, 0.05 * math.sqrt(fastest)))
 
 
 @inlined

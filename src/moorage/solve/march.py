@@ -13,7 +13,6 @@ from scipy.sparse import csr_array
 
 from moorage.errors import SimulationError
 from moorage.layout import new_state
-from moorage.physics.friction import NONE
 from moorage.physics.motion import sample_track
 from moorage.solve import record as columns
 from moorage.solve.march_kernel import OK, UNSTABLE, Clocks, Control, march_islands, start_islands
@@ -82,8 +81,7 @@ def control_of(settings: Settings, built: Built) -> Control:
         step_max=0.15,
         error=tolerance if adaptive else 1e30,
         rho=0.7,
-        # a Newton step within 25 tolerances is good enough, but not to tell which nodes slip: those at rest would creep
-        newton=(25.0 if built.system.friction.law == NONE else 1.0) * tolerance,
+        newton=25.0 * tolerance,
         leftover=0.25 * tolerance * force_scales(built),
         stretch=stretch_scales(built),
         iterations=10,

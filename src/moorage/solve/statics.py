@@ -8,7 +8,7 @@ import numpy as np
 
 from moorage.errors import ConvergenceError
 from moorage.layout import State, System, copy_of
-from moorage.physics.friction import ELASTIC, NONE
+from moorage.physics.friction import ELASTIC, NONE, SOIL
 from moorage.physics.sea import no_sea
 from moorage.solve.implicit import stick_island
 from moorage.solve.places import place_name
@@ -41,7 +41,9 @@ def natural_tolerance(built: Built) -> float:
 def rounding(built: Built) -> float:
     """Return the force (N) that the last digit of a coordinate stands for: less imbalance cannot be reached."""
     size = np.abs(built.state.position).max(initial=1.0)
-    return float(16.0 * np.finfo(float).eps * size * built.system.tension.spring.max(initial=0.0))
+    system, shortest = built.system, built.names.segment_length.min(initial=np.inf)
+    bends = system.bending.before.max(initial=0.0) / shortest**2
+    return float(16.0 * np.finfo(float).eps * size * (system.tension.spring.max(initial=0.0) + bends))
 
 
 def solve(built: Built, tolerance: float | None = None) -> Equilibrium:
@@ -99,9 +101,10 @@ def solve(built: Built, tolerance: float | None = None) -> Equilibrium:
 
 
 def static_system(system: System) -> System:
-    """Return a system without waves, whose friction is that of statics: none, or springs from where a line was laid."""
-    friction = system.friction._replace(law=ELASTIC if system.friction.laid else NONE)
-    return system._replace(friction=friction, sea=no_sea())
+    """Return a system without waves, whose friction is that of statics: none, or what holds it where it was laid."""
+    friction = system.friction
+    law = NONE if not friction.laid else SOIL if friction.law == SOIL else ELASTIC
+    return system._replace(friction=friction._replace(law=law), sea=no_sea())
 
 
 def rest(built: Built) -> None:

@@ -10,10 +10,11 @@ from moorage._jit import inlined, kernel
 from moorage._vec3 import dot, get, scale, sub
 from moorage.layout import line_nodes
 from moorage.physics.bathymetry import bed_at, normal_of
-from moorage.physics.friction import SATURATED, VELOCITY, overload, split_directions
+from moorage.physics.friction import SATURATED, SOIL, VELOCITY, coefficients, overload, split_directions
+from moorage.physics.soil_curves import on_a_plateau
 from moorage.system.assemble import unit_or_zero
 
-BELOW = 0.999  # of the limit: records lie between the ends of steps
+BELOW = 0.998  # of the square of the limit: records lie between the ends of steps
 
 
 @kernel
@@ -28,13 +29,15 @@ def find_sticking(system, position, velocity, normal_force, friction_force, stic
             _, zx, zy, _, _, _ = bed_at(system.contact.bed, position[i, 0], position[i, 1])
             n = normal_of(zx, zy)
             q = unit_or_zero(sub(get(position, min(i + 1, last)), get(position, max(i - 1, first))))
-            s, v = split_directions(q, n), get(velocity, i)
-            w = sub(v, scale(dot(v, n), n))
-            N = abs(normal_force[i])
+            r, v, N = get(position, i), get(velocity, i), abs(normal_force[i])
+            w, mu = sub(v, scale(dot(v, n), n)), coefficients(system.friction, r)
             if system.friction.law <= VELOCITY:
-                sticks[i] = 1 if ramps(system.friction, N, s, w) else 0
+                sticks[i] = 1 if ramps(system.friction, N, split_directions(q, n), w) else 0
+            elif system.friction.law == SOIL:
+                s, f = split_directions(q, n), get(friction_force, i)
+                sticks[i] = 0 if on_a_plateau(system.friction.curves, N, s, f, BELOW) else 1
             else:
-                sticks[i] = 1 if overload(system.friction, N, s, w, get(friction_force, i)) < BELOW else 0
+                sticks[i] = 1 if overload(system.friction, mu, N, n, q, w, get(friction_force, i)) < BELOW else 0
 
 
 @inlined
@@ -43,9 +46,7 @@ def ramps(p, N, s, w):
     along = abs(dot(w, s))
     across = math.sqrt(max(dot(w, w) - along * along, 0.0))
     if p.law == SATURATED:
-        return p.slope_axial * along <= p.ratio * p.axial * N and p.slope_transverse * across <= p.ratio * (
-            p.transverse * N
-        )
+        return p.slope * max(along, across) <= p.ratio * N
     return max(along, across) < p.velocity
 
 

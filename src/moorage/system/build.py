@@ -9,7 +9,6 @@ import numpy as np
 from moorage import model as described
 from moorage.layout import State, System, Work, new_state, new_work
 from moorage.model import Curve, Model, Motion
-from moorage.physics.contact import Contact
 from moorage.physics.current import Current
 from moorage.physics.morison import Morison
 from moorage.physics.motion import Tracks, no_tracks, spline_tracks
@@ -17,7 +16,7 @@ from moorage.physics.point import PointLoads
 from moorage.physics.table import build_tables
 from moorage.physics.tension import Tension, damping_from_ratio
 from moorage.physics.weight import Weight
-from moorage.system.bed import build_bed, build_friction
+from moorage.system.bed import build_contact, build_friction
 from moorage.system.bends import build_bending
 from moorage.system.guess import place_guess
 from moorage.system.holders import Holders, holders_of, release, timed_failures
@@ -98,7 +97,7 @@ def build(
         bending=bending,
         weight=Weight(-env.gravity * mass, env.gravity * displaced, 0.5 * d),
         morison=Morison(mass, np.stack([to_nodes(h) for h in hydro.T], axis=1), hydro),
-        contact=Contact(to_nodes(env.seabed_stiffness * d * l), to_nodes(env.seabed_damping * d * l), build_bed(env)),
+        contact=build_contact(env, to_nodes(d * l)),
         friction=build_friction(model, to_nodes(d * l)),
         points=_points(model, len(holders.rest)),
         current=_current(env.current),

@@ -1,4 +1,4 @@
-"""The first shape of every line: an elastic catenary between its ends, or a straight line where there is none."""
+"""The first shape of every line: limp, elastic, between its ends; a straight line where there is none."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ import numpy as np
 from moorage.layout import State, System
 from moorage.model import Model
 from moorage.physics.catenary import catenary
+from moorage.physics.hanging import hanging
 from moorage.physics.motion import sample_track
 
 TOUCHES = 1e-5  # relative depth at which an end counts as on the seabed
@@ -15,8 +16,7 @@ TOUCHES = 1e-5  # relative depth at which an end counts as on the seabed
 def place_guess(model: Model, system: System, state: State, length, weight) -> None:
     """Set positions of all rows: points at time 0, lines on catenaries; everything at rest.
 
-    A line of several sections takes the mean of its weight; Newton's method does the rest. `length` (m) and `weight`
-    (N/m) are those of the segments.
+    Bending is left out; Newton's method does the rest. `length` (m) and `weight` (N/m) are those of the segments.
     """
     rows = system.lines.node_ptr
     now = np.zeros((1, 9))
@@ -26,10 +26,7 @@ def place_guess(model: Model, system: System, state: State, length, weight) -> N
     for k in range(len(model.lines)):
         a, b = (state.position[rows[-1] + end] for end in system.lines.end_point[k])
         part = slice(rows[k] - k, rows[k + 1] - k - 1)
-        nodes = line_guess(
-            a, b, length[part], float(np.mean(system.tension.spring[part] * length[part])),
-            float(np.sum(weight[part] * length[part]) / np.sum(length[part])), model,
-        )  # fmt: skip
+        nodes = line_guess(a, b, length[part], system.tension.spring[part] * length[part], weight[part], model)
         if model.environment.bathymetry:
             nodes[1:-1, 2] = np.maximum(nodes[1:-1, 2], [-model.environment.depth_at(x, y) for x, y, _ in nodes[1:-1]])
         state.position[rows[k] : rows[k + 1]] = nodes
@@ -44,15 +41,23 @@ def laid_slack(nodes, length) -> np.ndarray:
 
 
 def line_guess(a, b, length, stiffness, weight, model: Model) -> np.ndarray:
-    """Positions (nodes, 3) of a line from a to b (m)."""
+    """Positions (nodes, 3) of a line from a to b (m); of its segments the lengths (m), EA (N) and weights (N/m)."""
     arc = np.concatenate([[0.0], np.cumsum(length)])
     chord = b - a
-    span = float(np.hypot(chord[0], chord[1]))
-    touches = any(end[2] <= -model.environment.depth_at(end[0], end[1]) * (1.0 - TOUCHES) for end in (a, b))
-    # MoorDyn-F lets every line lie on a bed at the level of its lower end, MoorDyn-C only one that touches the bed
-    grounded = model.flavour == "MoorDyn-F" or touches
-    shape = catenary(span, float(chord[2]), float(arc[-1]), stiffness, weight, arc, grounded)
+    span, rise = float(np.hypot(chord[0], chord[1])), float(chord[2])
+    environment = model.environment
+    touches = [end[2] <= -environment.depth_at(end[0], end[1]) * (1.0 - TOUCHES) for end in (a, b)]
+    if np.ptp(weight) > 1e-9 * np.abs(weight).max():
+        shape = hanging(span, rise, length, stiffness, weight * length, touches[0 if rise >= 0.0 else 1])
+    else:
+        # MoorDyn-F lets every line lie on a bed at the level of its lower end, MoorDyn-C only one that touches the bed
+        grounded = model.flavour == "MoorDyn-F" or any(touches)
+        shape = catenary(span, rise, float(arc[-1]), float(stiffness.mean()), float(weight[0]), arc, grounded)
     if shape is None:
         return a + np.outer(arc / arc[-1], chord)
     x, z = shape
-    return np.column_stack([a[0] + x * chord[0] / span, a[1] + x * chord[1] / span, a[2] + z])
+    heading = chord[:2] / max(span, 1e-300)
+    nodes = np.column_stack([a[0] + x * heading[0], a[1] + x * heading[1], a[2] + z])
+    if not environment.bathymetry:  # a sag, or a wave's foot, may be lower
+        nodes[1:-1, 2] = np.maximum(nodes[1:-1, 2], min(-environment.water_depth, a[2], b[2]))
+    return nodes

@@ -18,6 +18,8 @@ def environment_options(environment: Environment, path: Path, flavour: Flavour, 
         (repr(environment.seabed_stiffness), "kBot"),
         (repr(environment.seabed_damping), "cBot"),
     ]
+    if environment.seabed_stiffness_map:
+        notes.append("the map of the seabed's stiffness cannot be said: kBot is the same everywhere")
     options += _depth(environment, path, flavour, notes)
     options += _friction(environment, flavour, notes)
     return options + _water(environment, path, flavour, notes)
@@ -63,6 +65,9 @@ def _friction(environment: Environment, flavour: str, notes: list[str]) -> list[
         return []
     if friction.model != "saturated-damping":
         notes.append(f"friction by {friction.model} is written as saturated damping, the only law that MoorDyn has")
+    if friction.map or friction.model == "soil-curves":
+        what = "map of friction's coefficients" if friction.map else "curves of friction"
+        notes.append(f"the {what} cannot be said: written without friction")
     ratio, damping = repr(friction.static_ratio), repr(friction.damping)
     if flavour == "F":
         pair = [(repr(friction.transverse), "mu_kT"), (repr(friction.axial), "mu_kA")]
