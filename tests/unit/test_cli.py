@@ -154,7 +154,7 @@ def test_check_says_what_a_file_holds(moorage_, deck):
 
 
 def test_check_names_what_is_not_built(moorage_, deck):
-    wavy = deck(("0.001    dtM       time step", "0.001    dtM       time step\n3 WaveKin"), name="wavy.dat")
+    wavy = deck(("0.001    dtM       time step", "0.001    dtM       time step\n4 WaveKin"), name="wavy.dat")
     output = moorage_("check", wavy, code=2).output
     assert "not simulated yet" in output
     assert "wavy.dat:20" in output

@@ -362,13 +362,13 @@ def test_water_file_of_f(deck, tmp_path):
     environment = with_options(deck, "water.dat WaterKin").environment
     assert environment.current == Current((-10.0, 0.0), ((0.1, 0.0, 0.0), (0.2, 0.0, 0.0)))
     assert environment.unread_water is None
-    (tmp_path / "water.dat").write_text(WATER.format(waves=1))
+    (tmp_path / "water.dat").write_text(WATER.format(waves=2))
     assert with_options(deck, "water.dat WaterKin").environment.unread_water.value == "water.dat"
 
 
 def test_waves_are_remembered(deck):
-    waves = with_options(deck, "3 WaveKin", "0.1 dtWave", "2 Currents").environment.unread_water
-    assert (waves.option, waves.value, waves.settings) == ("WaveKin", "3", (("Currents", "2"), ("dtWave", "0.1")))
+    waves = with_options(deck, "4 WaveKin", "0.1 dtWave", "2 Currents").environment.unread_water
+    assert (waves.option, waves.value, waves.settings) == ("WaveKin", "4", (("Currents", "2"), ("dtWave", "0.1")))
     assert with_options(deck, "2 Currents").environment.unread_water.option == "Currents"
     assert with_options(deck, "SeaState WaterKin").environment.unread_water.option == "WaterKin"
 

@@ -3,10 +3,18 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import NamedTuple
 
 from moorage.errors import ModelError, Source
 from moorage.io.text import Findings, is_number, read_text, rows
 from moorage.model import Current, Curve
+
+
+class Entry(NamedTuple):
+    """A row of numbers, with its place."""
+
+    values: tuple[float, ...]
+    source: Source
 
 
 def read_columns(
@@ -25,17 +33,29 @@ def read_columns(
     least : int
         Rows that it must have.
     """
+    return [entry.values for entry in _read(path, what, widths, found, source, least, False)]
+
+
+def read_entries(path: Path, what: str, widths: range, found: Findings, source: Source, least: int = 2) -> list[Entry]:
+    """Return the rows of a table with their places, as `read_columns`; a row that starts with a number is no header."""
+    return _read(path, what, widths, found, source, least, True)
+
+
+def _read(
+    path: Path, what: str, widths: range, found: Findings, source: Source, least: int, numbers_begin: bool
+) -> list[Entry]:
     try:
         text = read_text(path, f"table of {what}", source=source)
     except ModelError as error:
         found.extend(error.problems)
         return []
-    table: list[tuple[float, ...]] = []
+    table: list[Entry] = []
     for row in rows(text, str(path)):
         words = " ".join(row.words).replace(",", " ").split()
+        begun = table or (numbers_begin and words and is_number(words[0]))
         if len(words) in widths and all(map(is_number, words)):
-            table.append(found.numbers(words, what, row.source))
-        elif words and table and not row.text.strip().startswith("---"):
+            table.append(Entry(found.numbers(words, what, row.source), row.source))
+        elif words and begun and not row.text.strip().startswith("---"):
             expected = " or ".join(map(str, widths))
             found.add(
                 f"row of the table of {what} is not {expected} numbers", "correct it", row.source, row.text.strip()

@@ -8,32 +8,43 @@ from pathlib import Path
 from moorage.errors import ModelWarning, Source
 from moorage.io.bathymetry import read_bathymetry
 from moorage.io.moordyn.options import Value
-from moorage.io.moordyn.water import read_water
+from moorage.io.moordyn.water import Surroundings, read_water
 from moorage.io.text import Findings, is_number, to_float
-from moorage.model import Bathymetry, Environment, Friction, Point
+from moorage.model import Bathymetry, Environment, Friction, Point, Rod
 
 Values = dict[str, Value]
 _NUMBERS = {"gravity": "g", "water_density": "rho", "seabed_stiffness": "kBot", "seabed_damping": "cBot"}
 
 
 def read_environment(
-    values: Values, points: list[Point], folder: Path, found: Findings, source: Source, defaults: Environment | None
+    values: Values,
+    points: list[Point],
+    rods: list[Rod],
+    folder: Path,
+    found: Findings,
+    source: Source,
+    defaults: Environment | None,
 ) -> Environment:
     """Return the environment; `defaults` holds what a driver file says where the options are silent."""
     bathymetry = _bathymetry(values, folder, found)
-    waves, current = read_water(values, folder, found)
     base = defaults or Environment(water_depth=0.0)
     numbers = {field: number(values, name, getattr(base, field)) for field, name in _NUMBERS.items()}
+    depth = _depth(values, points, bathymetry, found, source, defaults)
+    places = [point.position for point in points if point.body is None]
+    places += [end for rod in rods if rod.body is None for end in (rod.end_a, rod.end_b if rod.segments else rod.end_a)]
+    sea = {"depth": depth, "gravity": numbers["gravity"], "density": numbers["water_density"]}
+    water = read_water(values, Surroundings(sea, folder, places, found))
     return Environment(
-        water_depth=_depth(values, points, bathymetry, found, source, defaults),
+        water_depth=depth,
         gravity=numbers["gravity"],
         water_density=numbers["water_density"],
         seabed_stiffness=numbers["seabed_stiffness"],
         seabed_damping=numbers["seabed_damping"],
         friction=_friction(values),
         bathymetry=bathymetry,
-        current=current,
-        unread_water=waves,
+        current=water.current,
+        waves=water.waves,
+        unread_water=water.unread,
     )
 
 

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import numpy as np
+
 from moorage.io.moordyn.layout import Flavour
-from moorage.model import Bathymetry, Current, Environment
+from moorage.model import Bathymetry, Current, Environment, Waves
 
 Pair = tuple[str, str]
 
@@ -79,10 +81,11 @@ def _friction(environment: Environment, flavour: str, notes: list[str]) -> list[
 
 
 def _water(environment: Environment, path: Path, flavour: str, notes: list[str]) -> list[Pair]:
-    waves, options = environment.unread_water, []
+    options = _waves(environment.waves, path, flavour, notes)
+    waves = environment.unread_water
     if waves is not None and (waves.option == "WaterKin") == (flavour == "F"):
         notes.append(f"files of {waves.option} {waves.value} are named as they were, not copied")
-        options = [(waves.value, waves.option), *((value, name) for name, value in waves.settings)]
+        options += [(waves.value, waves.option), *((value, name) for name, value in waves.settings)]
     elif waves is not None:
         notes.append(f"waves by {waves.option} cannot be said for MoorDyn-{flavour}")
     still = environment.current == Current()
@@ -97,6 +100,24 @@ def _water(environment: Environment, path: Path, flavour: str, notes: list[str])
     name = f"water_{path.stem}.txt".replace(" ", "_").replace("---", "_")
     _write_water_file(environment.current, path.parent / name)
     return [(name, "WaterKin")]
+
+
+def _waves(waves: Waves | None, path: Path, flavour: str, notes: list[str]) -> list[Pair]:
+    """Return the option of waves, and write the components for MoorDyn-C's sum of sines."""
+    if waves is None:
+        return []
+    if flavour == "F":
+        notes.append("waves cannot be said for MoorDyn-F, which takes an elevation and a grid")
+        return []
+    for name, value in (("a ramp", waves.ramp), (f"{waves.stretching} stretching", waves.stretching != "wheeler")):
+        if value:
+            notes.append(f"{name} of the waves cannot be said for MoorDyn-C")
+    parts = np.array(waves.amplitude) * np.exp(1j * (np.array(waves.phase) + 0.5 * np.pi))
+    columns = zip(waves.frequency, parts.real, parts.imag, waves.direction, strict=True)
+    rows = [_numbers(0, 0, 0, 0), *(_numbers(*row) for row in columns)]
+    (path.parent / "wave_frequencies.txt").write_text("\n".join(rows) + "\n", "utf-8")
+    notes.append("the waves are in wave_frequencies.txt, the one name that MoorDyn-C reads in this folder")
+    return [("7", "WaveKin")]
 
 
 def _write_profile(current: Current, path: Path) -> None:

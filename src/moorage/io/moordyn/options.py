@@ -47,7 +47,9 @@ OPTIONS = (
     Option("WaveKin", "integer", (), "MoorDyn-C"),
     Option("Currents", "integer", (), "MoorDyn-C"),
     Option("dtWave", "number", (), "MoorDyn-C"),
-    Option("UnifyCurrentGrid", "switch", (), "MoorDyn-C"),
+    Option(
+        "UnifyCurrentGrid", "switch", (), "MoorDyn-C", "waves and current are evaluated at the nodes, without a grid"
+    ),
     Option("WaterKin", "text", (), "MoorDyn-F"),
     Option("dtM", "number", ("dt",), "", _STEP),
     Option("CFL", "number", (), "MoorDyn-C", _STEP),
@@ -135,7 +137,16 @@ def unused(values: dict[str, Value]) -> tuple[UnusedOption, ...]:
         UnusedOption(name=v.option.name, value=v.word, reason=v.option.unused, source=v.source)
         for v in values.values()
         if v.option.unused
-    )
+    ) + _unused_step(values)
+
+
+def _unused_step(values: dict[str, Value]) -> tuple[UnusedOption, ...]:
+    """Return dtWave where the waves are not those of an elevation, from which it takes samples."""
+    step, mode = values.get("dtWave"), values.get("WaveKin")
+    if step is None or (mode is not None and mode.word not in ("2", "7")):
+        return ()
+    reason = "waves are summed at the nodes, without a grid in time"
+    return (UnusedOption(name=step.option.name, value=step.word, reason=reason, source=step.source),)
 
 
 def flavour(values: dict[str, Value]) -> str:

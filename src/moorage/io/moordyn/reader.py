@@ -48,14 +48,15 @@ def parse_moordyn(text: str, path: Path, found: Findings, defaults: Environment 
     values = read_options(table("options"), found)
     point_list = points.read_points(table("points"), found)
     type_columns = line_types.V1_COLUMNS if v1 else line_types.COLUMNS
+    rod_list = rods.read_rods(table("rods"), found)
     line_list = lines.read_lines(table("lines"), lines.V1_COLUMNS if v1 else lines.COLUMNS, found)
     return Model(
-        environment=read_environment(values, point_list, path.parent, found, source, defaults),
+        environment=read_environment(values, point_list, rod_list, path.parent, found, source, defaults),
         line_types=tuple(line_types.read_line_types(table("line types"), type_columns, path.parent, found)),
         lines=_with_tensions(line_list, events.read_syrope(table("syrope"), found), table("syrope"), found),
         points=tuple(point_list),
         rod_types=tuple(rods.read_rod_types(table("rod types"), found)),
-        rods=tuple(rods.read_rods(table("rods"), found)),
+        rods=tuple(rod_list),
         bodies=tuple(bodies.read_bodies(table("bodies"), found)),
         failures=tuple(events.read_failures(table("failure"), found)),
         controls=tuple(events.read_controls(table("control"), found)),

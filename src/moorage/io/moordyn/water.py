@@ -2,36 +2,84 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from math import radians
 from pathlib import Path
+from typing import NamedTuple
 
 from moorage.errors import ModelError, Source
+from moorage.io.moordyn import water_grid, wave_files
 from moorage.io.moordyn.options import Value
 from moorage.io.tables import current_profile, read_current
 from moorage.io.text import Findings, Row, is_number, read_text, rows, to_float
-from moorage.model import Current, UnreadWater
+from moorage.model import Current, UnreadWater, Waves
 
-Water = tuple[UnreadWater | None, Current]
 _WAVE_MODES = (0, 1, 2, 3, 4, 5, 6, 7)
 _CURRENT_MODES = (0, 1, 2, 3, 4, 5)
+_STEP = 0.25  # s, MoorDyn-C's dtWave
 
 
-def read_water(values: dict[str, Value], folder: Path, found: Findings) -> Water:
-    """Return the sea that the options ask for, and the steady current."""
+class Water(NamedTuple):
+    """What moves the water: waves, a steady current, and what is asked for and not simulated."""
+
+    waves: Waves | None = None
+    current: Current = Current()
+    unread: UnreadWater | None = None
+
+
+class Surroundings(NamedTuple):
+    """What the readers of waves need to know of a model: water, where its files are, what it is held by, findings."""
+
+    water: dict[str, float]  # depth, gravity and density, as Waves has them
+    folder: Path
+    places: Sequence[water_grid.Place]
+    found: Findings
+
+
+def read_water(values: dict[str, Value], around: Surroundings) -> Water:
+    """Return the sea that the options ask for."""
     if "WaterKin" in values:
-        return _water_file(values["WaterKin"], folder, found)
-    waves, mode = _mode(values, "WaveKin", _WAVE_MODES, found), _mode(values, "Currents", _CURRENT_MODES, found)
+        return _water_file(values["WaterKin"], around)
+    found = around.found
+    mode, currents = _mode(values, "WaveKin", _WAVE_MODES, found), _mode(values, "Currents", _CURRENT_MODES, found)
     current = Current()
-    if mode == 1:
-        current = read_current(folder / "current_profile.txt", found, values["Currents"].source)
-    beside = ("Currents", "dtWave", "UnifyCurrentGrid")
-    settings = tuple((name, values[name].word) for name in beside if name in values)
-    if waves:
+    if currents == 1:
+        current = read_current(around.folder / "current_profile.txt", found, values["Currents"].source)
+    if mode in (1, 4, 5, 6):
         source = values["WaveKin"].source
-        return UnreadWater(option="WaveKin", value=str(waves), settings=settings, source=source), current
-    if mode > 1:
+        settings = tuple((name, values[name].word) for name in ("Currents", "dtWave") if name in values)
+        return Water(None, current, UnreadWater(option="WaveKin", value=str(mode), settings=settings, source=source))
+    unread = None
+    if currents > 1:
         source = values["Currents"].source
-        return UnreadWater(option="Currents", value=str(mode), settings=settings, source=source), current
-    return None, current
+        unread = UnreadWater(option="Currents", value=str(currents), source=source)
+    return Water(_waves(mode, values, around) if mode else None, current, unread)
+
+
+def _waves(mode: int, values: dict[str, Value], around: Surroundings) -> Waves | None:
+    """Return the waves of WaveKin 2, 3 or 7; of the grid that 2 and 3 need, only its extent is looked at."""
+    folder, found, named = around.folder, around.found, values["WaveKin"].source
+    if mode == 7:
+        return wave_files.summed(folder / "wave_frequencies.txt", around.water, found, named)
+    if mode == 2:
+        waves = wave_files.evenly_spaced(folder / "wave_frequencies.txt", around.water, found, named)
+    else:
+        step = _interval(values["dtWave"].word, values["dtWave"].source, found) if "dtWave" in values else _STEP
+        path = folder / "wave_elevation.txt"
+        waves = wave_files.transformed(path, step, 0.0, around.water, found, named, "WaveKin 3") if step else None
+    path = folder / "water_grid.txt"
+    grid = water_grid.read_grid(path, found, named) if path.exists() else None
+    if grid and waves:
+        water_grid.warn_of_short_grid(grid, waves, around.places, Source(str(path)), around.water["depth"])
+    return waves
+
+
+def _interval(word: str, source: Source, found: Findings) -> float:
+    """Return a step of time; 0, and a problem noted, when it is not positive."""
+    step = found.number(word, "dtWave", source)
+    if step <= 0.0:
+        found.add("dtWave must be positive", "give the step of the elevations, s", source, word)
+    return max(step, 0.0) if step == step else 0.0
 
 
 def _mode(values: dict[str, Value], name: str, known: tuple[int, ...], found: Findings) -> int:
@@ -44,24 +92,53 @@ def _mode(values: dict[str, Value], name: str, known: tuple[int, ...], found: Fi
     return mode
 
 
-def _water_file(value: Value, folder: Path, found: Findings) -> Water:
-    """Read MoorDyn-F's file of waves and currents; what is more than a steady current stays as an asked-for sea."""
+def _water_file(value: Value, around: Surroundings) -> Water:
+    """Read MoorDyn-F's file of waves and currents; what is not simulated stays as an asked-for sea."""
     asked = UnreadWater(option="WaterKin", value=value.word, source=value.source)
     if not value.word:
-        return None, Current()
+        return Water()
     if value.word.upper() == "SEASTATE":
-        return asked, Current()
-    path = folder / value.word
+        return Water(unread=asked)
+    path, found = around.folder / value.word, around.found
     try:
         lines = rows(read_text(path, "water kinematics file", source=value.source), str(path))
     except ModelError as error:
         found.extend(error.problems)
-        return None, Current()
+        return Water()
     wave_rows, current_rows = _section(lines, "WAVES"), _section(lines, "CURRENT")
-    waves = _first_integer(wave_rows, "WaveKinMod", found, Source(str(path)))
-    mode = _first_integer(current_rows, "CurrentMod", found, Source(str(path)))
-    current = _profile(current_rows[1:], found, Source(str(path))) if mode == 1 else Current()
-    return (asked if waves or mode > 1 else None), current
+    mode = _first_integer(wave_rows, "WaveKinMod", found, Source(str(path)))
+    currents = _first_integer(current_rows, "CurrentMod", found, Source(str(path)))
+    current = _profile(current_rows[1:], found, Source(str(path))) if currents == 1 else Current()
+    waves = _waves_of_f(wave_rows, mode, around) if mode in ELEVATION_MODES else None
+    refused = (mode and mode not in ELEVATION_MODES) or currents > 1
+    return Water(waves, current, asked if refused else None)
+
+
+ELEVATION_MODES = (1, 3)  # 3 is what files before OpenFAST 4 call it
+
+
+def _waves_of_f(section: list[Row], mode: int, around: Surroundings) -> Waves | None:
+    """Return the waves of a file of elevations; rows: mode, file, dtWave, WaveDir (deg), type and grid of x, y, z."""
+    found, place = around.found, section[0].source
+    if len(section) < 10:
+        remedy = "give WaveKinMod, WaveKinFile, dtWave, WaveDir, then a type and coordinates for x, y and z"
+        found.add(f"section WAVES has {len(section)} rows, not 10", remedy, place)
+        return None
+    name, step, direction = (row.words[0] for row in section[1:4])
+    if not name:
+        found.add("WaveKinFile is empty", "name a file of time and elevation", section[1].source)
+        return None
+    interval = _interval(step, section[2].source, found)
+    way = found.number(direction, "WaveDir", section[3].source)
+    grid = water_grid.read_axes(section[4:10], found)
+    if not (interval and grid and way == way):
+        return None
+    path = around.folder / name
+    source, kind = section[1].source, f"WaveKinMod {mode}"
+    waves = wave_files.transformed(path, interval, radians(way), around.water, found, source, kind)
+    if waves:
+        water_grid.warn_of_short_grid(grid, waves, around.places, Source(place.file), around.water["depth"])
+    return waves
 
 
 def _section(lines: list[Row], title: str) -> list[Row]:

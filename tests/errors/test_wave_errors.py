@@ -1,0 +1,77 @@
+"""Wave files that cannot be used: one error each, with file, line, value and remedy."""
+
+from __future__ import annotations
+
+import warnings
+
+import pytest
+
+from moorage.errors import ModelError, UnsupportedError
+from moorage.io import read
+from moorage.model.unbuilt import refuse_unbuilt
+
+GOOD = {
+    "wave_frequencies.txt": "0 0 0\n0.35 1 0\n0.4 0 0\n",
+    "wave_elevation.txt": "0 0\n1 1\n2 0\n3 -1\n4 0\n",
+    "water_grid.txt": "a\nb\nc\n2\n-900 900 10\n0\n0\n2\n-200 0 20\n",
+    "w.dat": "a\n-\n--- WAVES ---\n1 mod\nwave_elevation.txt f\n0.5 dt\n0 dir\n2\n-900, 900, 9\n0\n0\n2\n-200, 0, 9\n"
+    "--- CURRENT ---\n0 CurrentMod\n--- end ---\n",
+}
+CASES = {
+    "negative frequency": (
+        "7 WaveKin", "wave_frequencies.txt", ("0.35 1 0", "-0.35 1 0"),
+        r"wave_frequencies.txt:2: frequency of a wave component is negative \(read: -0.35\)\n    -> make it positive",
+    ),
+    "not a number": ("7 WaveKin", "wave_frequencies.txt", ("0.35 1 0", "0.35 one 0"), r"wave_frequencies.txt:2: row of"),
+    "first row not a number": ("7 WaveKin", "wave_frequencies.txt", ("0 0 0", "0 x 0"), r"wave_frequencies.txt:1: row of"),
+    "two columns": ("2 WaveKin", "wave_frequencies.txt", ("0.35 1 0", "0.35 1"), r"frequencies.txt:2: .* 3 or 4 numbers"),
+    "direction in degrees": (
+        "7 WaveKin", "wave_frequencies.txt", ("0.35 1 0", "0.35 1 0 90"), r"txt:2: direction .* not in rad \(read: 90",
+    ),
+    "unsorted for a transform": ("2 WaveKin", "wave_frequencies.txt", ("0.4 0 0", "0.3 0 0"), "do not increase"),
+    "too fine for a transform": ("2 WaveKin", "wave_frequencies.txt", ("0.4 0 0", "0.3500001 0 0"), "smallest step"),
+    "time not from 0": ("3 WaveKin", "wave_elevation.txt", ("0 0\n", "0.5 0\n"), r"elevation.txt:1: .* start at 0 s"),
+    "time not increasing": ("3 WaveKin", "wave_elevation.txt", ("3 -1", "2 -1"), r"elevation.txt:4: times"),
+    "wide steps": ("3 WaveKin\n2 dtWave", "wave_elevation.txt", None, "dtWave leaves fewer than 4"),
+    "no step": ("3 WaveKin\n0 dtWave", "wave_elevation.txt", None, r"model.dat:21: dtWave must be positive \(read: '0'"),
+    "short grid file": ("3 WaveKin", "water_grid.txt", ("2\n-200 0 20\n", ""), "wave grid has 7 lines, not 9"),
+    "kind of axis": ("3 WaveKin", "water_grid.txt", ("10\n0\n0", "10\n5\n0"), r"water_grid.txt:6: type of the wave grid's y"),
+    "no axis": ("2 WaveKin", "water_grid.txt", ("-900 900 10", "wide"), r"water_grid.txt:5: x of the wave grid"),
+    "axis backwards": ("2 WaveKin", "water_grid.txt", ("-900 900 10", "900 -900 10"), r"water_grid.txt:5: x of the"),
+    "no elevation file": ("w.dat WaterKin", "w.dat", ("wave_elevation.txt", '""'), r"w.dat:5: WaveKinFile is empty"),
+    "missing elevation file": ("w.dat WaterKin", "w.dat", ("elevation.txt", "x.txt"), r"w.dat:5: .*not found: tried"),
+    "few rows": ("w.dat WaterKin", "w.dat", ("0\n0\n2\n-200, 0, 9\n", ""), r"w.dat:4: section WAVES has 6 rows, not 10"),
+    "heading": ("w.dat WaterKin", "w.dat", ("0 dir", "east dir"), r"w.dat:7: WaveDir is not a number \(read: 'east'"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_wave_error(deck, tmp_path, name):
+    option, file, change, message = CASES[name]
+    for other, text in GOOD.items():
+        (tmp_path / other).write_text(text)
+    model = deck(("0.001    dtM       time step", f"0.001    dtM       time step\n{option}"))
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        if change:
+            read(model)  # as it stands it is well
+            assert change[0] in GOOD[file]
+            (tmp_path / file).write_text(GOOD[file].replace(*change, 1))
+        with pytest.raises(ModelError, match=message) as raised:
+            read(model)
+    assert len(raised.value.problems) == 1
+
+
+@pytest.mark.parametrize(
+    ("mode", "file"), [(2, "wave_frequencies.txt"), (3, "wave_elevation.txt"), (7, "wave_frequencies.txt")]
+)
+def test_missing_files(deck, mode, file):
+    with pytest.raises(ModelError, match=rf"model.dat:20: table of wave \w+ not found: tried .*{file}"):
+        read(deck(("0.001    dtM       time step", f"0.001    dtM       time step\n{mode} WaveKin")))
+
+
+@pytest.mark.parametrize("mode", [1, 4, 5, 6])
+def test_modes_without_files_are_refused_by_name(deck, mode):
+    model = read(deck(("0.001    dtM       time step", f"0.001    dtM       time step\n{mode} WaveKin")))
+    with pytest.raises(UnsupportedError, match=rf"model.dat:20: waves are not simulated yet \(read: '{mode}'\)"):
+        refuse_unbuilt(model)
