@@ -83,7 +83,11 @@ def friction_terms(p, i, N, n, q, r, v, stuck, c):
     if load <= 1.0:
         return trial, plane_block(spring, n)
     slips = 1.0 / math.sqrt(load)
-    block = sym_add(plane_block(spring * slips, n), isotropic_plus(0.0, -spring * slips / dot(trial, trial), trial))
+    # the derivative is k / o (1 - F g), g the gradient of the load; this has its diagonal along and across the line
+    s = split_directions(q, n)
+    along = dot(trial, s)
+    e = add(scale(along / (mu[0] + 1e-300), s), scale(1.0 / (mu[1] + 1e-300), sub(trial, scale(along, s))))
+    block = sym_add(plane_block(spring * slips, n), isotropic_plus(0.0, -spring * slips / dot(e, e), e))
     return scale(slips, trial), block
 
 
