@@ -151,8 +151,8 @@ def add_zz(s, x):
 def node_terms(system, i, hydro, q, water, r, v, a, before, stuck, c):
     """Force and own block of inertia, drag, seabed and dry weight at a node, and whether friction surely holds it.
 
-    q: tangent of the line; water: elevation of the surface, velocity and acceleration of the water; before, stuck: where
-    the node was, and where friction held it, at the start of the step.
+    q: tangent of the line; water: elevation of the surface, velocity and acceleration of the water; before, stuck:
+    where the node was, and where friction held it, at the start of the step.
     """
     added_normal, added_axial, drag_normal, drag_axial, displaced = hydro
     mass = system.morison.mass[i]
