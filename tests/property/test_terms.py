@@ -528,6 +528,26 @@ def test_friction_of_velocity_takes_energy_and_its_block_is_its_derivative(name,
 
 
 @FEW
+@given(SLOW)
+def test_block_of_unequal_coefficients_has_the_diagonal_of_the_derivative(d):
+    """Along the line and across it, and the determinant: zero where it slips."""
+    p, N, i, zero = rubbing("elastic", 0.4, 0.7), 800.0, np.uintp(0), (0.0, 0.0, 0.0)
+    r = np.array([0.05 * d[0], 0.05 * d[1], 0.0])
+    axes = np.array([ALONG, np.cross(UP, ALONG)])
+    load = np.hypot(*(axes @ r * 2e5 / (np.array([0.4, 0.7]) * N)))
+    if abs(load - 1.0) < 0.02:
+        return  # the corner between stick and slip
+
+    def force(*r):
+        return friction_terms(p, i, N, UP, ALONG, r, zero, zero, STIFFNESS)[0]
+
+    block = axes @ full(friction_terms(p, i, N, UP, ALONG, tuple(r), zero, zero, STIFFNESS)[1]) @ axes.T
+    D = -axes @ derivative(force, r, 1e-8) @ axes.T
+    agree(np.diag(block), np.diag(D), 1e-4, 2e5)
+    assert np.linalg.det(block) == pytest.approx(np.linalg.det(D), abs=1e-4 * 2e5**2)
+
+
+@FEW
 @given(st.tuples(st.floats(-0.03, 0.03), st.floats(-0.03, 0.03)), st.booleans())
 def test_soil_curves_have_their_tangent_and_give_their_coefficients(way, stands):
     """Along the line and across it apart; a line that stands on the bed has no direction, and is held by the latter."""

@@ -69,22 +69,30 @@ def split_directions(q, n):
 
 @inlined
 def friction_terms(p, i, N, n, q, r, v, stuck, c):
-    """Friction on node i with normal force N (N), and its block; stuck: where it stuck before the step, m."""
+    """Friction on node i with normal force N (N), its block, and whether it is held far inside the ellipse.
+
+    stuck: where it stuck before the step, m.
+    """
     mu = coefficients(p, r)
     w = sub(v, scale(dot(v, n), n))
     if p.law <= VELOCITY:
-        return sliding(p, mu, N, n, split_directions(q, n), w, c)
+        force, block = sliding(p, mu, N, n, split_directions(q, n), w, c)
+        return force, block, False
     if p.law == SOIL:
         force, block, _ = soil_terms(p.curves, N, n, split_directions(q, n), way_along(n, r, stuck), c)
-        return force, block
+        return force, block, False
     trial = trial_force(p, i, n, w, r, stuck)
     load = overload(p, mu, N, n, q, w, trial)
     spring = c.stiffness * p.spring[i] + c.damping * p.damper[i]
     if load <= 1.0:
-        return trial, plane_block(spring, n)
+        return trial, plane_block(spring, n), load == 0.0
     slips = 1.0 / math.sqrt(load)
-    block = sym_add(plane_block(spring * slips, n), isotropic_plus(0.0, -spring * slips / dot(trial, trial), trial))
-    return scale(slips, trial), block
+    # the derivative is k / o (1 - F g), g the gradient of the load; this has its diagonal along and across the line
+    s = split_directions(q, n)
+    along = dot(trial, s)
+    e = add(scale(along / (mu[0] + 1e-300), s), scale(1.0 / (mu[1] + 1e-300), sub(trial, scale(along, s))))
+    block = sym_add(plane_block(spring * slips, n), isotropic_plus(0.0, -spring * slips / dot(e, e), e))
+    return scale(slips, trial), block, False
 
 
 @inlined
@@ -135,7 +143,7 @@ def overload(p, mu, N, n, q, w, force):
     Far inside the ellipse, where most nodes are, a bound will do.
     """
     size, least = dot(force, force), N * min(mu[0], mu[1])
-    if size < 0.9 * least * least:
+    if size < 0.5 * least * least:
         return 0.0
     share = N
     if p.law == STICK_SLIP:

@@ -143,13 +143,16 @@ def implicit_step(system, now, trial, work, island, t, h, control):
             total += finish_row(now, trial, i, k)
     for p in range(p0, p1):
         total += finish_row(now, trial, point_row(lines, islands.points[p]), k)
-    stick_island(system, now, trial, island)
+    stick_island(system, now, trial, work.held, island)
     return converged, iterations, math.sqrt(total / rows), row
 
 
 @kernel
-def stick_island(system, now, trial, island):
-    """Set where friction holds the nodes of an island after the step from `now` to `trial`."""
+def stick_island(system, now, trial, sure, island):
+    """Set where friction holds the nodes of an island after the step from `now` to `trial`.
+
+    Most nodes are `sure` (rows,) to stay.
+    """
     if not remembers(system.friction):
         return
     lines, islands = system.lines, system.islands
@@ -158,13 +161,13 @@ def stick_island(system, now, trial, island):
         first, last = line_nodes(lines, islands.lines[m])
         for i in range(first, last + 1):
             r, before, held = get(trial.position, i), get(now.position, i), get(now.stuck, i)
-            if near_bed(system.contact, before, r):
+            if not near_bed(system.contact, before, r):
+                held = r
+            elif not sure[i]:
                 v = get(trial.velocity, i)
                 q = unit_or_zero(sub(get(trial.position, min(i + 1, last)), get(trial.position, max(i - 1, first))))
                 N, n, _ = contact_terms(system.contact, np.uintp(i), before, r, v, c)
                 held = stuck_after(system.friction, np.uintp(i), N, n, q, r, v, held, c)
-            else:
-                held = r
             put(trial.stuck, i, held)
 
 

@@ -94,7 +94,7 @@ def solve(built: Built, tolerance: float | None = None) -> Equilibrium:
         )
     for island in range(len(islands.line_ptr) - 1):
         if laid:
-            stick_island(system, built.state, built.state, island)
+            stick_island(system, built.state, built.state, built.work.held, island)
         else:
             stick_where_it_is(system, built.state, island)
     return Equilibrium(worst, place_name(built, where), used, damped, accepted)

@@ -73,7 +73,7 @@ def assemble_line(system, state, start, work, line, c):
     first, last = line_nodes(system.lines, line)
     carried = begin_walk(system.lines, state.position, line)
     for i in range(first, last + 1):
-        force, own, coupling, carried = walk(system, state, start, line, i, last, carried, c)
+        force, own, coupling, carried, work.held[i] = walk(system, state, start, line, i, last, carried, c)
         put(work.force, i, force)
         sym_put(work.blocks.own, i, own)
         mat_put(work.blocks.next, i, sym_to_general(coupling))
@@ -94,7 +94,8 @@ def walk(system, state, start, line, i, last, carried, c):
     """One step of the walk from end A to end B, at node i, bending left out.
 
     Returns the node's force, its own block, its coupling to the next node (symmetric) and what is carried there: of the
-    segment between them its vector, pull, block, wet share, buoyancy, minus the slope of that in z, and number.
+    segment between them its vector, pull, block, wet share, buoyancy, minus the slope of that in z, and number; and
+    whether friction surely holds the node.
     """
     e_before, pull_before, block_before, share_before, lift_before, sink_before, j_before = carried
     n, j = np.uintp(i), j_before
@@ -116,13 +117,13 @@ def walk(system, state, start, line, i, last, carried, c):
         hydro = wet_part(system.morison, n, j_before, share_before, j, share)
     q = unit_or_zero(add(e_before, e))
     a, before, stuck = get(state.acceleration, i), get(start.position, i), get(start.stuck, i)
-    force, own = node_terms(system, n, hydro, q, water_of(state, i), r, v, a, before, stuck, c)
+    force, own, held = node_terms(system, n, hydro, q, water_of(state, i), r, v, a, before, stuck, c)
     force = add(force, sub(pull, pull_before))
     force = force[0], force[1], force[2] + lift_before + share * buoyancy
     sink = c.stiffness * buoyancy
     own = add_zz(sym_add(own, sym_add(block, block_before)), -sink_before - sink * d00)
     coupling = add_zz(sym_scale(-1.0, block), -sink * d01)
-    return force, own, coupling, (e, pull, block, share_far, share_far * buoyancy, sink * d11, j)
+    return force, own, coupling, (e, pull, block, share_far, share_far * buoyancy, sink * d11, j), held
 
 
 @inlined
@@ -148,32 +149,32 @@ def add_zz(s, x):
 
 @inlined
 def node_terms(system, i, hydro, q, water, r, v, a, before, stuck, c):
-    """Force and own block of inertia, drag, seabed and dry weight at a node; q: tangent of the line.
+    """Force and own block of inertia, drag, seabed and dry weight at a node, and whether friction surely holds it.
 
-    water: elevation of the surface, velocity and acceleration of the water; before, stuck: where the node was, and
-    where friction held it, at the start of the step.
+    q: tangent of the line; water: elevation of the surface, velocity and acceleration of the water; before, stuck:
+    where the node was, and where friction held it, at the start of the step.
     """
     added_normal, added_axial, drag_normal, drag_axial, displaced = hydro
     mass = system.morison.mass[i]
     inertia, inertia_block = inertia_terms(mass + added_normal, mass + added_axial, q, a, c)
     drag, drag_block = drag_terms(drag_normal, drag_axial, q, sub(v, water[1]), c)
     swell = anisotropic(displaced + added_normal, displaced + added_axial, q, water[2])
-    force, own = add(add(inertia, drag), swell), hydro_block(inertia_block, drag_block, q)
+    force, own, held = add(add(inertia, drag), swell), hydro_block(inertia_block, drag_block, q), False
     if near_bed(system.contact, before, r):
-        bed, bed_block = bed_terms(system, i, q, r, v, before, stuck, c)
+        bed, bed_block, held = bed_terms(system, i, q, r, v, before, stuck, c)
         force, own = add(force, bed), sym_add(own, bed_block)
-    return (force[0], force[1], force[2] + system.weight.dry[i]), own
+    return (force[0], force[1], force[2] + system.weight.dry[i]), own, held
 
 
 @inlined
 def bed_terms(system, i, q, r, v, before, stuck, c):
-    """Contact and friction of the seabed on a node, and their block."""
+    """Contact and friction of the seabed on a node, their block, and whether friction surely holds it."""
     N, n, block = contact_terms(system.contact, i, before, r, v, c)
-    force = scale(N, n)
+    force, held = scale(N, n), False
     if system.friction.law != NONE and N != 0.0:
-        rub, rub_block = friction_terms(system.friction, i, abs(N), n, q, r, v, stuck, c)
+        rub, rub_block, held = friction_terms(system.friction, i, abs(N), n, q, r, v, stuck, c)
         force, block = add(force, rub), sym_add(block, rub_block)
-    return force, block
+    return force, block, held
 
 
 @kernel
