@@ -182,7 +182,7 @@ def static(
 def check(file: ModelFile, raise_to_seabed: Raise = False) -> None:
     """Read a model and print what it holds, which options mean nothing here, and what is not simulated yet."""
     model = moorage.read(file, raise_to_seabed)
-    console.model_summary(model)
+    console.model_summary(model, moorage.results.sea_attributes(model.environment.waves))
     if model.unused_options:
         console.out.print("\noptions that are not used here", style="bold")
         console.fact_table({f"{o.name} {o.value}": o.reason for o in model.unused_options})

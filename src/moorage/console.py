@@ -13,6 +13,7 @@ from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
 from rich.table import Table
 
 from moorage.errors import ModelWarning
+from moorage.words import current_words, sea_words, seabed_words
 
 if TYPE_CHECKING:  # xarray is heavy, and --help must be light
     import xarray as xr
@@ -68,6 +69,7 @@ def run_summary(attrs: Mapping[str, Any]) -> None:
             "run": f"{attrs['duration']:g} s, results every {attrs['dt_out']:g} s, start {attrs['start']}",
             "method": f"{attrs['method']}, {stepping}"
             + (f": {attrs['steps']} steps, {attrs['rejected']} rejected" if "steps" in attrs else ""),
+            "waves": sea_words(attrs),
             "seabed": attrs.get("bathymetry", ""),
             "friction in statics": attrs.get("friction_in_statics", "") if attrs["start"] == "static" else "",
             "moorage": f"{attrs['moorage_version']}, {attrs['date']}",
@@ -175,8 +177,8 @@ def static_tables(ds: xr.Dataset, cables: Sequence[CableReport] = (), seabed: Se
     out.print(f"\nlargest out-of-balance force {float(ds['residual']):.2e} N after {int(ds['iterations'])} iterations")
 
 
-def model_summary(model: Model) -> None:
-    """Print what a model holds."""
+def model_summary(model: Model, sea: Mapping[str, Any]) -> None:
+    """Print what a model holds; `sea` holds the attributes of its waves."""
     kinds = [point.kind for point in model.points]
     counts = ", ".join(f"{kinds.count(kind)} {kind}" for kind in ("fixed", "coupled", "free") if kind in kinds)
     facts = {
@@ -184,7 +186,9 @@ def model_summary(model: Model) -> None:
         "title": model.title,
         "water": f"depth {model.environment.water_depth:g} m, density {model.environment.water_density:g} kg/m3, "
         f"gravity {model.environment.gravity:g} m/s2",
-        "seabed": _seabed(model),
+        "waves": sea_words(sea),
+        "current": current_words(model.environment.current),
+        "seabed": seabed_words(model.environment),
         "lines": f"{len(model.lines)}, {sum(line.segments for line in model.lines)} segments, "
         f"{sum(line.length for line in model.lines):g} m",
         "line types": ", ".join(t.name for t in model.line_types),
@@ -195,21 +199,6 @@ def model_summary(model: Model) -> None:
         "channels": ", ".join(output.name for output in model.outputs),
     }
     fact_table(facts)
-
-
-def _seabed(model: Model) -> str:
-    """Return the depth grid and the friction of a model in words."""
-    grid, friction = model.environment.bathymetry, model.environment.friction
-    parts = []
-    if grid is not None:
-        parts.append(f"depth grid {grid.file} of {len(grid.x)} by {len(grid.y)} points".replace("  ", " "))
-        parts += [str(grid.resampling)] if grid.resampling else []
-    if friction is not None:
-        axial, transverse = f"{friction.axial:g}", f"{friction.transverse:g}"
-        size = "by a map" if friction.map else f"{axial} along and {transverse} across the line"
-        size = "by two curves" if friction.model == "soil-curves" else size
-        parts.append(f"friction {friction.model}, {size}")
-    return "; ".join(parts)
 
 
 def fact_table(facts: dict[str, str]) -> None:

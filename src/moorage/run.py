@@ -32,6 +32,7 @@ from moorage.results import (
     seabed_of,
     static_dataset,
     warn_of_lines_off_the_grid,
+    warn_of_repetition,
     warn_of_tight_bends,
     watch_list,
 )
@@ -153,6 +154,7 @@ def simulate(
     }
     _check_settings(chosen, resume, output)
     _accept(model)
+    warn_of_repetition(model.environment.waves, duration)
     settings = _settings(model, chosen)
     rows = _rows(duration, settings)
     built = build(model, motion, duration)
@@ -378,4 +380,5 @@ def _node_dimension(settings: Settings) -> str:
 def _layout(model: Model, built: Built, node_time: str, motion: Motion | None = None) -> Layout:
     index = make_index(model, built.names)
     bending = bending_of(model, built, index.allowed_bend_radius)
-    return Layout(index, plan_outputs(model, built, motion), node_time, bending, seabed_of(model, built))
+    outputs = plan_outputs(model, built, motion)
+    return Layout(index, outputs, node_time, bending, seabed_of(model, built), model.environment.waves)

@@ -18,6 +18,7 @@ class Variable(NamedTuple):
 _TABLE = (
     Variable("time", "t", ("time",), "s", "time from the start of the run"),
     Variable("node_time", "t", ("node_time",), "s", "time of the node histories"),
+    Variable("wave_elevation", "eta", ("time",), "m", "elevation of the waves at the origin"),
     Variable("line", "", ("line",), "1", "id of a line"),
     Variable("point", "", ("point",), "1", "id of a point"),
     Variable("point_kind", "", ("point",), "1", "fixed, coupled (moved by prescribed motion) or free"),

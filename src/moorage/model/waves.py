@@ -166,11 +166,34 @@ class Waves:
         density = (energy * np.exp(-0.5 * ((fine[:, None] - w) / (0.03 * w)) ** 2) / w).sum(axis=1)
         return float(2.0 * np.pi / fine[np.argmax(density)])
 
+    @property
+    def repeats_after(self) -> float:
+        """Time after which the groups of a sea come again, s: its frequencies are equally spaced; else infinite."""
+        w = np.unique(self.frequency)
+        if len(w) < 3:
+            return np.inf
+        steps = np.diff(w) / np.diff(w).min()
+        even = np.all(np.abs(steps - np.rint(steps)) < 1e-3)
+        return float(2.0 * np.pi / np.diff(w).min()) if even else np.inf
+
+    @property
+    def words(self) -> str:
+        """What the components were made from."""
+        units = {"height": " m", "period": " s"}
+        names = {"height": "Hs", "period": "Tp"} if len(self.frequency) > 1 else {}
+        parts = [str(v) if k == "spectrum" else f"{names.get(k, k)} {v:g}{units.get(k, '')}" for k, v in self.asked]
+        return ", ".join(parts) or "components as given"
+
     def elevation(self, t, x=0.0, y=0.0) -> np.ndarray:
         """Return the surface elevation (m) at times and places, which broadcast."""
-        t, x, y = np.broadcast_arrays(t, x, y)
-        xyz = np.stack([x, y, np.zeros_like(x, dtype=float)], axis=-1)
-        return self.kinematics(t, xyz).elevation
+        t, x, y = np.broadcast_arrays(np.asarray(t, float), x, y)
+        return self.ramped(t) * (np.array(self.amplitude) * np.cos(self._angles(t, x, y))).sum(-1)
+
+    def _angles(self, t: np.ndarray, x: np.ndarray, y: np.ndarray) -> np.ndarray:
+        """Return theta (..., n) at times and places (...)."""
+        b = np.array(self.direction)
+        way = x[..., None] * np.cos(b) + y[..., None] * np.sin(b)
+        return t[..., None] * np.array(self.frequency) + np.array(self.phase) - self.wavenumber * way
 
     def ramped(self, t) -> np.ndarray:
         """Return the share of the sea that has grown by a time."""
@@ -192,8 +215,7 @@ class Waves:
         shape = np.broadcast_shapes(t.shape, xyz.shape[:-1])
         t, xyz = np.broadcast_to(t, shape), np.broadcast_to(xyz, (*shape, 3))
         w, a, k, b = (np.array(v) for v in (self.frequency, self.amplitude, self.wavenumber, self.direction))
-        theta = t[..., None] * w + np.array(self.phase)
-        theta = theta - k * (xyz[..., :1] * np.cos(b) + xyz[..., 1:2] * np.sin(b))
+        theta = self._angles(t, xyz[..., 0], xyz[..., 1])
         c, s = a * np.cos(theta), a * np.sin(theta)
         grown = self.ramped(t)
         eta = grown * c.sum(-1)

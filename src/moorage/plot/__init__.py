@@ -6,10 +6,12 @@ from moorage.plot.moorings import moorings
 from moorage.plot.profile import plot_plan, plot_profile
 from moorage.plot.seabed import seabed_map
 from moorage.plot.tension import plot_tension
+from moorage.plot.waves import plot_elevation
 
 __all__ = [
     "moorings",
     "plot_along",
+    "plot_elevation",
     "plot_plan",
     "plot_profile",
     "plot_tension",

@@ -16,11 +16,12 @@ from moorage.plot.moorings import moorings, name_of
 from moorage.plot.profile import plot_plan, plot_profile, plot_profiles
 from moorage.plot.style import new_figure
 from moorage.plot.tension import plot_tension
+from moorage.plot.waves import plot_elevation
 from moorage.results.cables import cables
 
 COLUMNS = 3
 MOST = 6  # more moorings than this are drawn together
-WIDTH, TALL, LOW = 10.0, 3.4, 3.0  # inches
+WIDTH, TALL, LOW, WAVES = 10.0, 3.4, 3.0, 1.6  # inches
 
 Band = tuple[float, Callable[[Figure, SubplotSpec], object]]  # a height, and what draws there
 
@@ -44,6 +45,8 @@ def save_figure(ds: xr.Dataset, path: str | Path) -> None:
 def _bands(ds: xr.Dataset) -> Iterator[Band]:
     """Yield what a figure shows, from its top to its bottom."""
     groups = moorings(ds) if "node_position" in ds else []
+    if "wave_elevation" in ds:
+        yield WAVES, lambda figure, cell: plot_elevation(ds, figure.add_subplot(cell))
     if "time" in ds["fairlead_tension"].dims:
         yield TALL, lambda figure, cell: plot_tension(ds, figure.add_subplot(cell))
     if len(groups) > MOST:

@@ -20,6 +20,7 @@ from moorage.results.index import Index, make_index
 from moorage.results.memory import MemoryResult
 from moorage.results.provenance import fingerprint, run_attributes
 from moorage.results.reader import open_result
+from moorage.results.sea import sea_attributes, warn_of_repetition
 from moorage.results.seabed import Seabed, seabed_of
 from moorage.results.seabed_report import SeabedReport, seabed_reports
 from moorage.results.statistics import LineSummary, Summary, line_summaries, static_report
@@ -55,6 +56,7 @@ __all__ = [
     "remove_checkpoint",
     "run_attributes",
     "save_checkpoint",
+    "sea_attributes",
     "seabed_of",
     "seabed_reports",
     "static_dataset",
@@ -62,6 +64,7 @@ __all__ = [
     "tight_bends",
     "to_dataset",
     "warn_of_lines_off_the_grid",
+    "warn_of_repetition",
     "warn_of_tight_bends",
     "watch_list",
 ]

@@ -6,9 +6,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from moorage.model import Waves
 from moorage.results.bending import COORDINATES, MOMENTS, Bending
 from moorage.results.channels import Output
 from moorage.results.index import Index
+from moorage.results.sea import ELEVATION, sea_columns
 from moorage.results.seabed import UPLIFT, Seabed
 from moorage.solve.march import Block
 from moorage.variables import VARIABLES, attributes
@@ -45,6 +47,8 @@ class Layout:
         For models with cables: what their columns need.
     seabed : Seabed or None
         For models with friction or bathymetry: what their columns need.
+    waves : Waves or None
+        The sea, where there is one.
     """
 
     index: Index
@@ -52,6 +56,7 @@ class Layout:
     node_time: str = "time"
     bending: Bending | None = None
     seabed: Seabed | None = None
+    waves: Waves | None = None
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -62,8 +67,9 @@ class Layout:
     def recorded(self) -> tuple[str, ...]:
         """Names of the variables that a block gives by itself."""
         times = ("time", "node_time") if self.node_time == "node_time" else ("time",)
+        sea = ELEVATION if self.waves else ()
         at_ends = (MOMENTS if self.bending else ()) + (UPLIFT if self.seabed else ())
-        return times + LINE_VARIABLES + at_ends + self.histories + tuple(output.name for output in self.outputs)
+        return times + sea + LINE_VARIABLES + at_ends + self.histories + tuple(output.name for output in self.outputs)
 
     @property
     def integrals(self) -> dict[str, str]:
@@ -117,6 +123,7 @@ class Layout:
             "anchor_uplift_angle": uplift_angle(anchor, block["grounded_length"]),
             **(self.bending.columns(block) if self.bending else {}),
             **(self.seabed.columns(block) if self.seabed else {}),
+            **(sea_columns(self.waves, block["time"]) if self.waves else {}),
             **{output.name: output.evaluate(block) for output in self.outputs},
         }
         return {name: values[name] for name in self.recorded}

@@ -15,7 +15,7 @@ from moorage.results.seabed import running_integral
 from moorage.solve.march import Block
 from moorage.variables import VARIABLES, attributes
 
-OVER_TIME = ("friction_power", "dissipated_energy")  # nothing of them at rest
+OVER_TIME = ("friction_power", "dissipated_energy", "wave_elevation")  # nothing of them at rest
 
 
 def to_dataset(layout: Layout, blocks: Iterable[Block], attrs: Mapping[str, object]) -> xr.Dataset:

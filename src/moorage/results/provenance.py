@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from datetime import UTC, datetime
 
 from moorage.model import Model, Motion, OutputChannel
+from moorage.results.sea import sea_attributes
 
 
 def run_attributes(
@@ -31,6 +32,7 @@ def run_attributes(
         "gravity": float(model.environment.gravity),
         "water_density": float(model.environment.water_density),
         **_seabed(model),
+        **sea_attributes(model.environment.waves),
         **_readings(model),
     }
 

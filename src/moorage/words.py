@@ -1,0 +1,47 @@
+"""What surrounds a mooring, in words for people."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from math import hypot
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from moorage.model import Current, Environment
+
+
+def sea_words(attrs: Mapping[str, Any]) -> str:
+    """Return what the waves were made from and what came out, from the attributes of a result."""
+    if "wave_asked" not in attrs:
+        return ""
+    count, seed = int(attrs["wave_components"]), attrs["wave_seed"]
+    if count == 1:
+        return str(attrs["wave_asked"])
+    achieved = f"Hs {attrs['wave_significant_height']:.3g} m, Tp {attrs['wave_peak_period']:.3g} s"
+    drawn = "" if seed == "none" else f" of seed {seed}"
+    return f"{attrs['wave_asked']}; achieved {achieved} with {count} components{drawn}"
+
+
+def current_words(current: Current) -> str:
+    """Return the current at its highest and lowest level in words."""
+    speeds = [hypot(*velocity) for velocity in current.velocity]
+    if not any(speeds):
+        return ""
+    if len(speeds) == 1:
+        return f"{speeds[0]:.3g} m/s"
+    return f"{speeds[-1]:.3g} m/s at z = {current.z[-1]:g} m, {speeds[0]:.3g} m/s at {current.z[0]:g} m"
+
+
+def seabed_words(environment: Environment) -> str:
+    """Return the depth grid and the friction in words."""
+    grid, friction = environment.bathymetry, environment.friction
+    parts = []
+    if grid is not None:
+        parts.append(f"depth grid {grid.file} of {len(grid.x)} by {len(grid.y)} points".replace("  ", " "))
+        parts += [str(grid.resampling)] if grid.resampling else []
+    if friction is not None:
+        axial, transverse = f"{friction.axial:g}", f"{friction.transverse:g}"
+        size = "by a map" if friction.map else f"{axial} along and {transverse} across the line"
+        size = "by two curves" if friction.model == "soil-curves" else size
+        parts.append(f"friction {friction.model}, {size}")
+    return "; ".join(parts)
