@@ -18,7 +18,13 @@ import numpy as np
 Arrays = dict[str, np.ndarray]
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-PACKAGES = {"moordyn_c": "moordyn", "moorpy_statics": "moorpy", "cabledyn_fem": "cabledyn", "moorage_march": "moorage"}
+PACKAGES = {
+    "moordyn_c": "moordyn",
+    "moordyn_c_nodes": "moordyn",
+    "moorpy_statics": "moorpy",
+    "cabledyn_fem": "cabledyn",
+    "moorage_march": "moorage",
+}
 
 
 class ProgramError(RuntimeError):
