@@ -10,11 +10,13 @@ from typing import Any
 import yaml
 
 from moorage.errors import ModelError, Problem, Source
+from moorage.io.current import current_of
 from moorage.io.finish import checked
 from moorage.io.raster import read_bathymetry
 from moorage.io.schema import SCHEMA
 from moorage.io.sea_state import components, sea_state
 from moorage.io.text import Findings, read_text
+from moorage.io.wave_spectra import sea_of_file
 from moorage.io.yaml_nodes import NodeReader, Values
 from moorage.model import (
     Attachment,
@@ -103,24 +105,32 @@ def _environment(values: Values, folder: Path, found: Findings) -> Environment:
     if "bathymetry" in values:
         values = values | {"bathymetry": _seabed(values["bathymetry"], folder, found)}
     if "waves" in values:
-        values = values | {"waves": _waves(values, found)}
+        values = values | {"waves": _waves(values, folder, found)}
+    if "speed" in values.get("current", ()):
+        values = values | {"current": current_of(values["current"], values["water_depth"], found)}
     if "map" in values.get("friction", ()):
         values = values | {"friction": values["friction"] | {"map": FrictionMap(**values["friction"]["map"])}}
     parts: dict[str, type] = {
         "friction": Friction, "current": Current, "unread_water": UnreadWater, "seabed_stiffness_map": StiffnessMap,
     }  # fmt: skip
-    made = {key: parts[key](**value) if key in parts else value for key, value in values.items() if key != "source"}
+    made = {
+        key: parts[key](**value) if key in parts and isinstance(value, dict) else value
+        for key, value in values.items()
+        if key != "source"
+    }
     return Environment(**made)
 
 
-def _waves(values: Values, found: Findings) -> Waves | None:
-    """Return the waves of an environment, from components or from a sea state."""
+def _waves(values: Values, folder: Path, found: Findings) -> Waves | None:
+    """Return the waves of an environment, from components, a file or a sea state."""
     asked, plain = values["waves"], Environment(water_depth=values["water_depth"])
     water = {
         "depth": values["water_depth"],
         "gravity": values.get("gravity", plain.gravity),
         "density": values.get("water_density", plain.water_density),
     }
+    if "file" in asked:
+        return sea_of_file(asked, folder, water, found)
     if "spectrum" in asked:
         return sea_state(asked, water, found)
     return components(asked, water, found)

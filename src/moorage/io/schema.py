@@ -106,6 +106,14 @@ SCHEMA: dict[str, dict[str, Key]] = {
         "z": Key("numbers", "m", "levels, increasing, negative below the water", True),
         "velocity": Key("table", "m/s", "x, y and z component at each level", True),
     },
+    "current in words": {
+        "speed": Key("number", "m/s", "at the still water level", True),
+        "direction": Key("number", "deg", "where it goes, from x towards y; 0 by default"),
+        "profile": Key(
+            "one of uniform, power", "-", "over the depth h: U, or U (1 + z/h)^exponent; uniform by default"
+        ),
+        "exponent": Key("number", "-", "of the power law; 1/7 by default"),
+    },
     "waves": {
         "frequency": Key("numbers", "rad/s", "of the components", True),
         "amplitude": Key("numbers", "m", "of the components", True),
@@ -130,6 +138,15 @@ SCHEMA: dict[str, dict[str, Key]] = {
             "one of random, equal-energy, equal-frequency", "-", "how the spectrum is cut; random by default"
         ),
         "seed": Key("integer", "-", "of what is random; 1 by default"),
+        "stretching": Key("one of wheeler, vertical, none", "-", "of the profiles to the surface; wheeler by default"),
+        "ramp": Key("number", "s", "over which the sea grows from nothing"),
+        "exact": Key("flag", "-", "sum at every evaluation; false: along the nodes' paths, 20 times in a peak period"),
+    },
+    "wave file": {
+        "file": Key("text", "-", "NetCDF file of efth(time, freq, dir), with units", True),
+        "time": Key("integer", "-", "number of the time in the file, from 0; 0 by default"),
+        "heading": Key("number", "deg", "of the x axis, clockwise from north; 90 by default: to the east"),
+        "seed": Key("integer", "-", "of the phases and of the frequencies in their bins; 1 by default"),
         "stretching": Key("one of wheeler, vertical, none", "-", "of the profiles to the surface; wheeler by default"),
         "ramp": Key("number", "s", "over which the sea grows from nothing"),
         "exact": Key("flag", "-", "sum at every evaluation; false: along the nodes' paths, 20 times in a peak period"),
@@ -264,7 +281,11 @@ SCHEMA: dict[str, dict[str, Key]] = {
 }
 
 # what an object is when it has a certain key
-BY_KEY = {"bathymetry": ("file", "bathymetry file"), "waves": ("spectrum", "sea state")}
+BY_KEY = {
+    "bathymetry": {"file": "bathymetry file"},
+    "waves": {"spectrum": "sea state", "file": "wave file"},
+    "current": {"speed": "current in words"},
+}
 
 
 def as_markdown() -> str:
@@ -278,7 +299,8 @@ def as_markdown() -> str:
         "What is not required has a default. A *curve* is a number, `{x: [...], y: [...]}`, or `{file: name}` with two",
         "columns; the z of a *position* may be the word `seabed`; an *end* is a point's number or name, or `rod 1 A`.",
         "A *bathymetry* with the key `file` is a *bathymetry file*: a raster, see [the seabed](seabed.md);",
-        "*waves* with the key `spectrum` are a *sea state*.",
+        "*waves* with the key `spectrum` are a *sea state*, with the key `file` a *wave file*;",
+        "a *current* with the key `speed` is a *current in words*.",
     ]
     for name, keys in SCHEMA.items():
         lines += ["", f"## {name}", "", "| key | value | unit | meaning | required |", "|---|---|---|---|---|"]

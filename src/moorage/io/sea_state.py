@@ -41,7 +41,7 @@ def sea_state(asked: Values, water: Values, found: Findings) -> Waves | None:
     """Return the waves of a sea state; None, with problems noted, when it cannot be."""
     spectrum, height, period = (asked[key] for key in ("spectrum", "height", "period"))
     own = {key: value for key, value in asked.items() if key in EVERY}
-    if not (_has_sense(asked, own.keys() - WORDS[spectrum], found) and _stands(height, period, water, asked, found)):
+    if not (_has_sense(asked, own.keys() - WORDS[spectrum], found) and stands(height, period, water, asked, found)):
         return None
     rest: Values = {key: asked[key] for key in ("stretching", "ramp", "exact", "source") if key in asked} | water
     way = np.deg2rad(asked.get("direction", 0.0))
@@ -65,7 +65,7 @@ def _has_sense(asked: Values, useless: set[str], found: Findings) -> bool:
     return not useless
 
 
-def _stands(height: float, period: float, water: Values, asked: Values, found: Findings) -> bool:
+def stands(height: float, period: float, water: Values, asked: Values, found: Findings) -> bool:
     """Note waves that are too steep to be (Miche's limit for the wave of the peak period)."""
     k = float(wavenumbers(np.array([2.0 * np.pi / period]), water["depth"], water["gravity"])[0])
     highest = STEEPEST * 2.0 * np.pi / k * np.tanh(k * water["depth"])

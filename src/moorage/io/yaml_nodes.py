@@ -61,8 +61,7 @@ class NodeReader:
             return [self.read_object(item, name, f"{name} {k + 1}" + _id(item)) for k, item in enumerate(items)]
         if kind.startswith("map of "):
             return self._map(node, kind[len("map of ") :], what)
-        if kind in BY_KEY and _has_key(node, BY_KEY[kind][0]):
-            kind = BY_KEY[kind][1]
+        kind = next((name for word, name in BY_KEY.get(kind, {}).items() if _has_key(node, word)), kind)
         if kind in SCHEMA:
             return self.read_object(node, kind, what)
         readers: dict[str, Callable[[yaml.Node, str], Any]] = {

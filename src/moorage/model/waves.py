@@ -181,7 +181,7 @@ class Waves:
         """What the components were made from."""
         units = {"height": " m", "period": " s"}
         names = {"height": "Hs", "period": "Tp"} if len(self.frequency) > 1 else {}
-        parts = [str(v) if k == "spectrum" else f"{names.get(k, k)} {v:g}{units.get(k, '')}" for k, v in self.asked]
+        parts = [str(v) if k == "spectrum" else f"{names.get(k, k)} {v:.4g}{units.get(k, '')}" for k, v in self.asked]
         return ", ".join(parts) or "components as given"
 
     def elevation(self, t, x=0.0, y=0.0) -> np.ndarray:

@@ -1,0 +1,41 @@
+"""A steady current in words: a speed, a direction, and how it falls towards the seabed."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from moorage.io.text import Findings
+from moorage.model import Current
+
+STEPS = 64  # of the speed between seabed and surface
+LOWEST = 1e-6  # depth over water depth, below which a profile needs no more levels
+EXPONENT = 1.0 / 7.0
+Values = dict[str, Any]
+
+
+def current_of(asked: Values, depth: float, found: Findings) -> Current:
+    """Return the current of words; a still one, with problems noted, when they have no sense.
+
+    A power law is U (1 + z/h)^n, at levels of equal steps of speed: linear between them, and above a hundredth of
+    the depth, it is good to 1e-3 U for exponents of 1/20 to 1.
+    """
+    speed, profile, exponent = asked["speed"], asked.get("profile", "uniform"), asked.get("exponent", EXPONENT)
+    if not speed >= 0.0:
+        found.add("speed of the current is negative", "turn its direction by 180 deg", asked["source"], speed)
+    if profile == "uniform" and "exponent" in asked:
+        found.add("exponent means nothing for a uniform current", "remove it", asked["source"], exponent)
+    if not exponent > 0.0:
+        found.add("exponent of the current must be positive", "correct it, or write uniform", asked["source"], exponent)
+    if found.problems or not depth > 0.0:
+        return Current()
+    way = np.deg2rad(asked.get("direction", 0.0))
+    share, z = np.ones(1), np.zeros(1)
+    if profile == "power":
+        share = np.linspace(0.0, 1.0, STEPS + 1)
+        height = share ** (1.0 / exponent)  # above the seabed, over the depth
+        kept = (height > LOWEST) | (share == 0.0)
+        share, z = share[kept], (height[kept] - 1.0) * depth
+    u, v = speed * share * np.cos(way), speed * share * np.sin(way)
+    return Current(tuple(z.tolist()), tuple(zip(u.tolist(), v.tolist(), [0.0] * len(z), strict=True)), asked["source"])
