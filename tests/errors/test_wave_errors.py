@@ -6,7 +6,7 @@ import warnings
 
 import pytest
 
-from moorage.errors import ModelError, UnsupportedError
+from moorage.errors import ModelError, ModelWarning, UnsupportedError
 from moorage.io import read
 from moorage.model.unbuilt import refuse_unbuilt
 
@@ -75,3 +75,13 @@ def test_modes_without_files_are_refused_by_name(deck, mode):
     model = read(deck(("0.001    dtM       time step", f"0.001    dtM       time step\n{mode} WaveKin")))
     with pytest.raises(UnsupportedError, match=rf"model.dat:20: waves are not simulated yet \(read: '{mode}'\)"):
         refuse_unbuilt(model)
+
+
+def test_a_current_below_the_seabed_is_told(deck, tmp_path):
+    (tmp_path / "current_profile.txt").write_text("a\nb\nc\n-230 0.1\n0 1\n")
+    with pytest.warns(ModelWarning, match=r"current_profile.txt: the current's lowest level, -230 m, is 30 m below"):
+        read(deck(("0.001    dtM       time step", "0.001    dtM       time step\n1 Currents")))
+    (tmp_path / "current_profile.txt").write_text("a\nb\nc\n-200 0.1\n0 1\n")
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        read(deck(("0.001    dtM       time step", "0.001    dtM       time step\n1 Currents")))

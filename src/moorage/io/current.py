@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import warnings
 from typing import Any
 
 import numpy as np
 
+from moorage.errors import ModelWarning
 from moorage.io.text import Findings
-from moorage.model import Current
+from moorage.model import Current, Environment
 
 STEPS = 64  # of the speed between seabed and surface
 LOWEST = 1e-6  # depth over water depth, below which a profile needs no more levels
@@ -39,3 +41,14 @@ def current_of(asked: Values, depth: float, found: Findings) -> Current:
         share, z = share[kept], (height[kept] - 1.0) * depth
     u, v = speed * share * np.cos(way), speed * share * np.sin(way)
     return Current(tuple(z.tolist()), tuple(zip(u.tolist(), v.tolist(), [0.0] * len(z), strict=True)), asked["source"])
+
+
+def warn_of_deep_levels(environment: Environment) -> None:
+    """Warn of a profile whose lowest level is below the deepest seabed: its z may be depths, or of another place."""
+    grid, current = environment.bathymetry, environment.current
+    depth = max(map(max, grid.depth)) if grid else environment.water_depth
+    below = -current.z[0] - depth if current.z else 0.0
+    if below > 1e-3 * depth:
+        where = f"{current.source}: " if current.source else ""
+        message = f"the current's lowest level, {current.z[0]:g} m, is {below:.4g} m below the seabed at {-depth:g} m"
+        warnings.warn(f"{where}{message}", ModelWarning, stacklevel=2)

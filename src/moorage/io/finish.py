@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from moorage.io.current import warn_of_deep_levels
 from moorage.io.text import Findings
 from moorage.model import Model
 from moorage.model.bed_checks import depths_are_positive
@@ -26,4 +27,5 @@ def checked(model: Model, found: Findings, raise_to_seabed: bool = False) -> Mod
         found.problems.sort(key=lambda p: (p.source.file, p.source.line) if p.source else ("", 0))
         found.raise_any()
     check(model)
+    warn_of_deep_levels(model.environment)
     return model
