@@ -299,7 +299,7 @@ def as_markdown() -> str:
         "What is not required has a default. A *curve* is a number, `{x: [...], y: [...]}`, or `{file: name}` with two",
         "columns; the z of a *position* may be the word `seabed`; an *end* is a point's number or name, or `rod 1 A`.",
         "A *bathymetry* with the key `file` is a *bathymetry file*: a raster, see [the seabed](seabed.md);",
-        "*waves* with the key `spectrum` are a *sea state*, with the key `file` a *wave file*;",
+        "*waves* with the key `spectrum` are a *sea state*, with the key `file` a *wave file*, see [waves](waves.md);",
         "a *current* with the key `speed` is a *current in words*.",
     ]
     for name, keys in SCHEMA.items():
