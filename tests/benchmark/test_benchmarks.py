@@ -9,7 +9,17 @@ import pytest
 from benchmarks.report import Column, Limit, Table, as_markdown, as_text, limits_table, load, store
 
 ROOT = Path(__file__).parents[2]
-ROWS = {"chains": 6, "cable": 4, "statics": 12, "hour": 4, "spread": 3, "coupling": 9, "startup": 7, "accuracy": 34}
+ROWS = {
+    "chains": 6,
+    "cable": 4,
+    "statics": 12,
+    "hour": 4,
+    "spread": 3,
+    "coupling": 9,
+    "startup": 7,
+    "accuracy": 34,
+    "waves": 4,
+}
 OURS = {
     "chains": "program",
     "cable": "program",
