@@ -24,11 +24,23 @@ from moorage.layout import line_nodes, new_table
 from moorage.model import Waves
 from moorage.solve.statics import rest
 from moorage.system.build import build
-from moorage.system.water import fill_water, next_interval, start_table
+from moorage.system.water import next_interval, set_water, start_table
 
 SEA = Waves.irregular("jonswap", 8.25, 14.5, depth=200.0, direction=0.3, spreading=10.0, components=100, seed=2)
 SHORT = Waves.irregular("jonswap", 2.0, 6.0, depth=200.0, direction=-2.0, components=100, seed=5)
 SPEED, PERIOD = 1.5, 12.0  # of the nodes, m/s and s
+
+
+def water(system, state, work, t: float) -> None:
+    set_water(system.lines, system.islands, system.sea, system.current, work.table, state, 0, t)
+
+
+def begin_table(system, state, work, t: float) -> None:
+    start_table(system.lines, system.islands, system.sea, work.table, state.position, state.velocity, 0, t)
+
+
+def go_on(system, state, work, t: float) -> None:
+    next_interval(system.lines, system.islands, system.sea, work.table, state.position, state.velocity, 0, t)
 
 
 def place(built, t: float) -> None:
@@ -53,20 +65,20 @@ def errors(waves: Waves, part: float) -> np.ndarray:
     first, last = line_nodes(system.lines, 0)
     worst, t = np.zeros(7), 20.0
     place(built, t)
-    start_table(system, built.state, work, 0, t)
+    begin_table(system, built.state, work, t)
     while t < 80.0:
         for s in (0.21, 0.5, 0.83):
             place(built, t + s * interval)
-            fill_water(system, built.state, work, 0, t + s * interval)
+            water(system, built.state, work, t + s * interval)
             found = built.state.water[first : last + 1].copy()
-            fill_water(exact, built.state, built.work, 0, t + s * interval)
+            water(exact, built.state, built.work, t + s * interval)
             true = built.state.water[first : last + 1]
             wet = built.state.position[first : last + 1, 2] < true[:, 0]
             worst = np.maximum(worst, np.abs(found - true)[wet].max(axis=0))
         end = (work.table.number[0] + 1) * interval
         t = end
         place(built, t)
-        next_interval(system, built.state, work, 0, t)
+        go_on(system, built.state, work, t)
     return worst
 
 
@@ -108,11 +120,11 @@ def test_nothing_jumps_between_intervals():
     built = build(dataclasses.replace(model, environment=dataclasses.replace(model.environment, waves=SEA)))
     rest(built)
     place(built, 30.0)
-    start_table(built.system, built.state, built.work, 0, 30.0)
+    begin_table(built.system, built.state, built.work, 30.0)
     end = (built.work.table.number[0] + 1) * built.system.sea.interval
     place(built, end)
-    fill_water(built.system, built.state, built.work, 0, end)
+    water(built.system, built.state, built.work, end)
     before = built.state.water.copy()
-    next_interval(built.system, built.state, built.work, 0, end)
-    fill_water(built.system, built.state, built.work, 0, end)
+    go_on(built.system, built.state, built.work, end)
+    water(built.system, built.state, built.work, end)
     assert np.abs(built.state.water - before).max() < 1e-12

@@ -121,7 +121,7 @@ def implicit_step(system, now, trial, work, island, t, h, control):
     while iterations < control.iterations:
         newton_island(system, trial, now, work, island, c, t + h)
         before = largest
-        largest, row = shift(system, trial, work, island, c.stiffness, c.damping, 1.0)
+        largest, row = shift(lines, islands, trial, work.increment, island, c.stiffness, c.damping, 1.0)
         iterations += 1
         if not largest < 1e100:
             break
@@ -134,7 +134,16 @@ def implicit_step(system, now, trial, work, island, t, h, control):
         if remembers(system.friction) and largest > 0.7 * before:
             # a node jumps from slip one way to slip the other way and back: where it sticks lies between
             part *= 0.5
-            shift(system, trial, work, island, (part - 1.0) * c.stiffness, (part - 1.0) * c.damping, part - 1.0)
+            shift(
+                lines,
+                islands,
+                trial,
+                work.increment,
+                island,
+                (part - 1.0) * c.stiffness,
+                (part - 1.0) * c.damping,
+                part - 1.0,
+            )
     total, rows = 0.0, p1 - p0
     for m in range(l0, l1):
         first, last = line_nodes(lines, islands.lines[m])
@@ -207,7 +216,7 @@ def set_accelerations(system, state, work, island, t):
     attach(system, state, work, island, t)
     assemble_island(system, state, state, work, island, c, t)
     solve_island(system, state, work, island, c)
-    shift(system, state, work, island, 0.0, 0.0, 1.0)
+    shift(system.lines, system.islands, state, work.increment, island, 0.0, 0.0, 1.0)
 
 
 @kernel

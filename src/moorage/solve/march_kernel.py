@@ -49,76 +49,79 @@ class Clocks(NamedTuple):
 def start_islands(system, state, work, t):
     """Set consistent accelerations of all islands at time t."""
     for island in range(len(system.islands.line_ptr) - 1):
-        start_table(system, state, work, island, t)
+        start_table(system.lines, system.islands, system.sea, work.table, state.position, state.velocity, island, t)
         start_island(system, state, work, island, t)
 
 
 @kernel
 def march_islands(system, old, now, work, clocks, control, begin, end, until, stop, island_of_line, record):
-    """Advance islands begin..end-1 to `until` and write the outputs up to there; no step goes beyond `stop`."""
+    """Advance islands begin..end-1 to `until` and write the outputs up to there; no step goes beyond `stop`.
+
+    One function, because a kernel inside another is compiled twice.
+    """
     for island in range(begin, end):
-        if clocks.status[island] == OK:
-            march_island(system, old, now, work, clocks, control, island, until, stop, island_of_line, record)
-
-
-@kernel
-def march_island(system, old, now, work, clocks, control, island, until, stop, island_of_line, record):
-    a, b = old, now  # the step goes from a to b; both swap with each step and are put back in place at the end
-    swapped = False
-    before, after = record.samples[0], record.samples[1]
-    known_before, known_after = False, False
-    row, node_row = 0, 0
-    t0, t, h = clocks.begin[island], clocks.time[island], clocks.step[island]
-    eps = 1e-9 * max(1.0, abs(until))
-    while True:
-        while row < len(record.time) and record.time[row] <= t + eps:
-            for side in range(2):  # one call in a loop, because it is inlined and long
-                if not (known_before if side == 0 else known_after):
-                    sample_island(
-                        system, a if side == 0 else b, t0 if side == 0 else t, island, before if side == 0 else after
-                    )
-            known_before, known_after = True, True
-            s = fraction(record.time[row], t0, t)
-            record_lines(system, a, b, island, before, after, t - t0, s, record, row)
-            if len(record.watched) > 0:
-                record_watched(system, a, b, island_of_line, island, t - t0, s, record, row)
-            row += 1
-        while node_row < len(record.node_time) and record.node_time[node_row] <= t + eps:
-            s = fraction(record.node_time[node_row], t0, t)
-            record_nodes(system, a, b, island, t - t0, s, record, node_row)
-            node_row += 1
-        if t >= until - eps:
-            break
-        size = step_to_try(control, t, h, min(stop, table_end(system, work, island)))
-        # from b to the space of a, which is not needed any more
-        if control.order == 0:
-            good, iterations, change, where = implicit_step(system, b, a, work, island, t, size, control)
-            error = size * size * change / control.error
-        else:
-            good, where = explicit_step(system, b, a, work, island, t, size, control.order)
-            iterations, error = control.order, 0.0
-        clocks.counts[island, 2] += iterations
-        if not good or not error < 2.0:
-            clocks.counts[island, 1] += 1
-            h = size * (max(0.25, 0.85 / math.sqrt(error)) if good else 0.5)
-            known_before, known_after = False, False
-            if control.order > 0 or not h > control.step_min:
-                clocks.status[island] = NO_SOLUTION if control.order == 0 else UNSTABLE
-                clocks.row[island] = where
-                break
+        if clocks.status[island] != OK:
             continue
-        a, b = b, a
-        swapped = not swapped
-        before, after = after, before
-        known_before, known_after = known_after, False
-        t0, t = t, t + size
-        clocks.counts[island, 0] += 1
-        if t >= table_end(system, work, island) - eps:
-            next_interval(system, b, work, island, t)
-        h = next_step(control, size, h, error)
-    if swapped:
-        swap_island(system, old, now, island)
-    clocks.begin[island], clocks.time[island], clocks.step[island] = t0, t, h
+        a, b = old, now  # the step goes from a to b; both swap with each step and are put back in place at the end
+        swapped = False
+        before, after = record.samples[0], record.samples[1]
+        known_before, known_after = False, False
+        row, node_row = np.int64(0), np.int64(0)  # not literals: for those all is compiled again
+        t0, t, h = clocks.begin[island], clocks.time[island], clocks.step[island]
+        eps = 1e-9 * max(1.0, abs(until))
+        while True:
+            while row < len(record.time) and record.time[row] <= t + eps:
+                for side in range(2):  # one call in a loop, because it is inlined and long
+                    if not (known_before if side == 0 else known_after):
+                        sample_island(
+                            system,
+                            a if side == 0 else b,
+                            t0 if side == 0 else t,
+                            island,
+                            before if side == 0 else after,
+                        )
+                known_before, known_after = True, True
+                s = fraction(record.time[row], t0, t)
+                record_lines(system, a, b, island, before, after, t - t0, s, record, row)
+                if len(record.watched) > 0:
+                    record_watched(system, a, b, island_of_line, island, t - t0, s, record, row)
+                row += 1
+            while node_row < len(record.node_time) and record.node_time[node_row] <= t + eps:
+                s = fraction(record.node_time[node_row], t0, t)
+                record_nodes(system, a, b, island, t - t0, s, record, node_row)
+                node_row += 1
+            if t >= until - eps:
+                break
+            size = step_to_try(control, t, h, min(stop, table_end(system.sea, work.table, island)))
+            # from b to the space of a, which is not needed any more
+            if control.order == 0:
+                good, iterations, change, where = implicit_step(system, b, a, work, island, t, size, control)
+                error = size * size * change / control.error
+            else:
+                good, where = explicit_step(system, b, a, work, island, t, size, control.order)
+                iterations, error = control.order, 0.0
+            clocks.counts[island, 2] += iterations
+            if not good or not error < 2.0:
+                clocks.counts[island, 1] += 1
+                h = size * (max(0.25, 0.85 / math.sqrt(error)) if good else 0.5)
+                known_before, known_after = False, False
+                if control.order > 0 or not h > control.step_min:
+                    clocks.status[island] = NO_SOLUTION if control.order == 0 else UNSTABLE
+                    clocks.row[island] = where
+                    break
+                continue
+            a, b = b, a
+            swapped = not swapped
+            before, after = after, before
+            known_before, known_after = known_after, False
+            t0, t = t, t + size
+            clocks.counts[island, 0] += 1
+            if t >= table_end(system.sea, work.table, island) - eps:
+                next_interval(system.lines, system.islands, system.sea, work.table, b.position, b.velocity, island, t)
+            h = next_step(control, size, h, error)
+        if swapped:
+            swap_island(system.lines, system.islands, old, now, island)
+        clocks.begin[island], clocks.time[island], clocks.step[island] = t0, t, h
 
 
 @inlined
@@ -148,9 +151,8 @@ def next_step(control, size, h, error):
 
 
 @kernel
-def swap_island(system, old, now, island):
+def swap_island(lines, islands, old, now, island):
     """Exchange the rows of an island between two states."""
-    lines, islands = system.lines, system.islands
     for m in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
         first, last = line_nodes(lines, islands.lines[m])
         for i in range(first, last + 1):

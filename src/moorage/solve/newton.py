@@ -17,7 +17,7 @@ from moorage.system.water import set_water
 @kernel
 def assemble_island(system, state, start, work, island, c, t):
     """Set the water at time t, the out-of-balance force and the blocks of all lines of an island."""
-    set_water(system, state, work, island, t)
+    set_water(system.lines, system.islands, system.sea, system.current, work.table, state, island, t)
     islands = system.islands
     for k in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
         assemble_line(system, state, start, work, islands.lines[k], c)
@@ -27,7 +27,7 @@ def assemble_island(system, state, start, work, island, c, t):
 @inlined
 def newton_island(system, state, start, work, island, c, t):
     """Assemble and solve S x = force for an island at time t, in as few walks as its lines allow."""
-    set_water(system, state, work, island, t)
+    set_water(system.lines, system.islands, system.sea, system.current, work.table, state, island, t)
     lines, islands = system.lines, system.islands
     l0, l1 = islands.line_ptr[island], islands.line_ptr[island + 1]
     for k in range(l0, l1):
@@ -121,23 +121,22 @@ def largest_imbalance(system, state, work, island, c):
 
 
 @inlined
-def shift(system, state, work, island, on_position, on_velocity, on_acceleration):
+def shift(lines, islands, state, increment, island, on_position, on_velocity, on_acceleration):
     """Add multiples of the increment to an island's state.
 
     Returns the size of the largest increment and its row; infinity when one is not a number.
     """
-    lines, islands = system.lines, system.islands
     largest, where, total = 0.0, -1, 0.0
     for k in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
         first, last = line_nodes(lines, islands.lines[k])
         for i in range(first, last + 1):
-            size = shift_row(state, work, i, on_position, on_velocity, on_acceleration)
+            size = shift_row(state, increment, i, on_position, on_velocity, on_acceleration)
             total += size
             if not size <= largest:
                 largest, where = size, i
     for p in range(islands.point_ptr[island], islands.point_ptr[island + 1]):
         row = point_row(lines, islands.points[p])
-        size = shift_row(state, work, row, on_position, on_velocity, on_acceleration)
+        size = shift_row(state, increment, row, on_position, on_velocity, on_acceleration)
         total += size
         if not size <= largest:
             largest, where = size, row
@@ -147,9 +146,9 @@ def shift(system, state, work, island, on_position, on_velocity, on_acceleration
 
 
 @inlined
-def shift_row(state, work, i, on_position, on_velocity, on_acceleration):
+def shift_row(state, increment, i, on_position, on_velocity, on_acceleration):
     """Shift one row; returns the squared size of its increment."""
-    x = get(work.increment, i)
+    x = get(increment, i)
     put(state.position, i, add(get(state.position, i), scale(on_position, x)))
     put(state.velocity, i, add(get(state.velocity, i), scale(on_velocity, x)))
     put(state.acceleration, i, add(get(state.acceleration, i), scale(on_acceleration, x)))

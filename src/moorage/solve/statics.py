@@ -96,7 +96,7 @@ def solve(built: Built, tolerance: float | None = None) -> Equilibrium:
         if laid:
             stick_island(system, built.state, built.state, built.work.held, island)
         else:
-            stick_where_it_is(system, built.state, island)
+            stick_where_it_is(system.lines, system.islands, built.state, island)
     return Equilibrium(worst, place_name(built, where), used, damped, accepted)
 
 
@@ -111,7 +111,7 @@ def rest(built: Built) -> None:
     """Attach all line ends at time 0 with everything at rest, without looking for equilibrium."""
     for island in range(len(built.system.islands.line_ptr) - 1):
         place_at_rest(built.system, built.state, built.work, island)
-        stick_where_it_is(built.system, built.state, island)
+        stick_where_it_is(built.system.lines, built.system.islands, built.state, island)
 
 
 def _from_still_water(

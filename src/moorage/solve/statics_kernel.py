@@ -16,9 +16,8 @@ from moorage.system.attach import attach
 
 
 @kernel
-def stop_island(system, state, island):
+def stop_island(lines, islands, state, island):
     """Set velocities and accelerations of an island to zero."""
-    lines, islands = system.lines, system.islands
     zero = (0.0, 0.0, 0.0)
     for m in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
         first, last = line_nodes(lines, islands.lines[m])
@@ -36,15 +35,14 @@ def stop_island(system, state, island):
 @kernel
 def place_at_rest(system, state, work, island):
     """Attach an island's line ends at time 0, at rest."""
-    stop_island(system, state, island)
+    stop_island(system.lines, system.islands, state, island)
     attach(system, state, work, island, 0.0)
-    stop_island(system, state, island)
+    stop_island(system.lines, system.islands, state, island)
 
 
 @kernel
-def stick_where_it_is(system, state, island):
+def stick_where_it_is(lines, islands, state, island):
     """Let friction hold the nodes of an island where they are, without force."""
-    lines, islands = system.lines, system.islands
     for m in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
         first, last = line_nodes(lines, islands.lines[m])
         for i in range(first, last + 1):
@@ -71,13 +69,13 @@ def relax_island(system, state, work, island, reach, tolerance, iterations):
             return force, row, iteration, damped
         assemble_island(system, state, state, work, island, c, 0.0)
         solve_island(system, state, work, island, c)
-        longest, _ = shift(system, state, work, island, 0.0, 0.0, 0.0)
+        longest, _ = shift(system.lines, system.islands, state, work.increment, island, 0.0, 0.0, 0.0)
         if not longest < 1e100:
             tau = max(1e-3, 0.1 * tau)
             damped += 1
             continue
         step = min(1.0, reach / (longest + 1e-300))
-        shift(system, state, work, island, step, 0.0, 0.0)
+        shift(system.lines, system.islands, state, work.increment, island, step, 0.0, 0.0)
         if tau >= 1e3:
             # line search: a Newton increment of full length must make the imbalance fall, or pseudo time takes over
             taken, halvings = step, 0
@@ -86,7 +84,7 @@ def relax_island(system, state, work, island, reach, tolerance, iterations):
                 _, _, trial = largest_imbalance(system, state, work, island, c)
                 if trial < total:
                     break
-                shift(system, state, work, island, -0.5 * taken, 0.0, 0.0)
+                shift(system.lines, system.islands, state, work.increment, island, -0.5 * taken, 0.0, 0.0)
                 taken *= 0.5
                 halvings += 1
             if halvings == 4:
@@ -116,23 +114,26 @@ def descend_island(system, state, work, island, reach, tolerance, iterations):
         if force < tolerance or not force < 1e299:
             return force, row, iteration, iteration
         solve_island(system, state, work, island, c)
-        longest, _ = shift(system, state, work, island, 0.0, 0.0, 0.0)
+        longest, _ = shift(system.lines, system.islands, state, work.increment, island, 0.0, 0.0, 0.0)
         if not longest < 1e100:
             tau = max(1e-4, 0.1 * tau)
             continue
         assemble_island(system, state, state, work, island, c, 0.0)
         largest_imbalance(system, state, work, island, c)
-        begin = work_done(system, work, island)
+        begin = work_done(system.lines, system.islands, work.force, work.increment, island)
         taken, halvings = min(1.0, reach / (longest + 1e-300)), 0
         whole = taken == 1.0
-        shift(system, state, work, island, taken, 0.0, 0.0)
+        shift(system.lines, system.islands, state, work.increment, island, taken, 0.0, 0.0)
         while halvings < 10:
             assemble_island(system, state, state, work, island, c, 0.0)
             _, _, trial = largest_imbalance(system, state, work, island, c)
-            if trial < total or work_done(system, work, island) > -0.5 * begin:
+            if (
+                trial < total
+                or work_done(system.lines, system.islands, work.force, work.increment, island) > -0.5 * begin
+            ):
                 break
             taken *= 0.5
-            shift(system, state, work, island, -taken, 0.0, 0.0)
+            shift(system.lines, system.islands, state, work.increment, island, -taken, 0.0, 0.0)
             halvings += 1
         if halvings == 0 and whole:
             tau = min(1e3, 3.0 * tau)
@@ -142,15 +143,14 @@ def descend_island(system, state, work, island, reach, tolerance, iterations):
 
 
 @kernel
-def work_done(system, work, island):
+def work_done(lines, islands, force, increment, island):
     """Work of the out-of-balance forces on the increment, J."""
-    lines, islands = system.lines, system.islands
     total = 0.0
     for m in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
         first, last = line_nodes(lines, islands.lines[m])
         for i in range(first + 1, last):
-            total += dot(get(work.force, i), get(work.increment, i))
+            total += dot(get(force, i), get(increment, i))
     for p in range(islands.point_ptr[island], islands.point_ptr[island + 1]):
         row = point_row(lines, islands.points[p])
-        total += dot(get(work.force, row), get(work.increment, row))
+        total += dot(get(force, row), get(increment, row))
     return total

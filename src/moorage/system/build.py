@@ -6,8 +6,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from moorage import model as described
 from moorage.layout import State, System, Work, new_state, new_work
+from moorage.model import Current as SteadyCurrent
 from moorage.model import Curve, Model, Motion
 from moorage.physics.current import Current
 from moorage.physics.morison import Morison
@@ -142,7 +142,7 @@ def _tracks(motion: Motion | None, holders: Holders, clamps: list[np.ndarray]) -
     return spline_tracks(rest, motion.time, holders.moved | turning)
 
 
-def _current(current: described.Current) -> Current:
+def _current(current: SteadyCurrent) -> Current:
     velocity = np.array(current.velocity, float).reshape(-1, 3)
     return Current(np.array(current.z, float), velocity, bool(velocity.any()))
 

@@ -12,48 +12,38 @@ from moorage.physics.sea import ETA, A, U, grown, record_at
 from moorage.physics.sea_table import FIELDS, look_up, set_row, step_path
 
 
-@inlined
-def moves(system):
-    """Whether there are waves or a current."""
-    return len(system.sea.k) > 0 or system.current.flows
-
-
-@inlined
-def set_water(system, state, work, island, t):
-    """Set elevation, velocity and acceleration of the water at all rows of an island at time t."""
-    if moves(system):
-        fill_water(system, state, work, island, t)
-
-
 @kernel
-def fill_water(system, state, work, island, t):
-    lines, islands = system.lines, system.islands
+def set_water(lines, islands, sea, current, table, state, island, t):
+    """Set elevation, velocity and acceleration of the water at all rows of an island at time t, if it moves."""
+    if len(sea.k) == 0 and not current.flows:
+        return
+    share = grown(sea, t)[0]
     for m in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
         first, last = line_nodes(lines, islands.lines[m])
         for i in range(first, last + 1):
-            water_at_row(system, state, work, island, i, t)
+            water_at_row(sea, current, table, state.position, state.water, island, i, t, share)
     for m in range(islands.point_ptr[island], islands.point_ptr[island + 1]):
-        water_at_row(system, state, work, island, point_row(lines, islands.points[m]), t)
+        row = point_row(lines, islands.points[m])
+        water_at_row(sea, current, table, state.position, state.water, island, row, t, share)
 
 
 @inlined
-def water_at_row(system, state, work, island, i, t):
-    """Set the water of one row."""
-    r, out, table = get(state.position, i), state.water[i], work.table
-    if len(system.sea.k) == 0:
+def water_at_row(sea, current, table, position, water, island, i, t, share):
+    """Set the water of one row; share: of the sea that has grown."""
+    r, out = get(position, i), water[i]
+    if len(sea.k) == 0:
         out[0] = 0.0
         for c in range(1, FIELDS):
             out[c] = 0.0
-    elif system.sea.interval > 0.0:
-        s = t / system.sea.interval - table.number[island]
+    elif sea.interval > 0.0:
+        s = t / sea.interval - table.number[island]
         a, b = get(table.start, i), get(table.end, i)
-        dx, dy, dz = (r[0] - a[0] - s * (b[0] - a[0]), r[1] - a[1] - s * (b[1] - a[1]), r[2] - a[2] - s * (b[2] - a[2]))
-        share = grown(system.sea, t)[0]
+        dx, dy, dz = r[0] - a[0] - s * (b[0] - a[0]), r[1] - a[1] - s * (b[1] - a[1]), r[2] - a[2] - s * (b[2] - a[2])
         for c in range(FIELDS):
             out[c] = share * look_up(table.terms[i], s, dx, dy, dz, c)
     else:
-        sum_of_waves(system.sea, r, t, table.scratch[island], table.after[i], out)
-    add_current(system.current, r[2], out)
+        sum_of_waves(sea, r, t, table.scratch[island], table.after[i], out)
+    add_current(current, r[2], out)
 
 
 @inlined
@@ -90,44 +80,42 @@ def sample_water(system, time, position, scratch, record, out):
 
 
 @kernel
-def start_table(system, state, work, island, t):
+def start_table(lines, islands, sea, table, position, velocity, island, t):
     """Fill the table of an island for the interval that begins at or before time t."""
-    if len(system.sea.k) > 0 and system.sea.interval > 0.0:
-        work.table.number[island] = math.floor(t / system.sea.interval + 1e-9) - 2
-        next_interval(system, state, work, island, t)  # sums where the interval begins
-        next_interval(system, state, work, island, t)
+    if len(sea.k) > 0 and sea.interval > 0.0:
+        table.number[island] = math.floor(t / sea.interval + 1e-9) - 2
+        for _ in range(2):  # first for the sums where the interval begins
+            next_interval(lines, islands, sea, table, position, velocity, island, t)
 
 
 @inlined
-def table_end(system, work, island):
+def table_end(sea, table, island):
     """Time at which the interval of an island ends, s; infinity without a table."""
-    if len(system.sea.k) == 0 or system.sea.interval == 0.0:
+    if len(sea.k) == 0 or sea.interval == 0.0:
         return math.inf
-    return (work.table.number[island] + 1) * system.sea.interval
+    return (table.number[island] + 1) * sea.interval
 
 
 @kernel
-def next_interval(system, state, work, island, t):
-    """Go on to the next interval of the table, from the motion at time t."""
-    lines, islands = system.lines, system.islands
-    work.table.number[island] += 1
+def next_interval(lines, islands, sea, table, position, velocity, island, t):
+    """Go on to the next interval of the table, from the motion (rows, 3) at time t."""
+    table.number[island] += 1
     for m in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
         first, last = line_nodes(lines, islands.lines[m])
         for i in range(first, last + 1):
-            next_row(system, state, work, island, i, t)
+            next_row(sea, table, position, velocity, island, i, t)
     for m in range(islands.point_ptr[island], islands.point_ptr[island + 1]):
-        next_row(system, state, work, island, point_row(lines, islands.points[m]), t)
+        next_row(sea, table, position, velocity, island, point_row(lines, islands.points[m]), t)
 
 
 @inlined
-def next_row(system, state, work, island, i, t):
+def next_row(p, table, position, velocity, island, i, t):
     """Sum the components where the row will be at the end of the interval, and fit the interval between."""
-    p, table = system.sea, work.table
     begin = table.number[island] * p.interval
     end = begin + p.interval
     for c in range(len(table.after[i])):
         table.before[i, c] = table.after[i, c]
-    step_path(table.start, table.end, i, state.position, state.velocity, end - t)
+    step_path(table.start, table.end, i, position, velocity, end - t)
     grown0, grown1 = grown(p, begin), grown(p, end)
     scratch = table.scratch
     record_at(p, get(table.end, i), end, grown1[0], scratch[island, 0], scratch[island, 1], table.after[i])
