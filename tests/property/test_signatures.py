@@ -12,7 +12,6 @@ from moorage.solve.march_kernel import march_islands, start_islands
 from moorage.solve.statics import solve
 from moorage.solve.statics_kernel import relax_island
 from moorage.solve.stiffness import condense_island, point_stiffness
-from moorage.system.assemble import assemble_line
 from moorage.system.build import Built, build
 
 
@@ -84,7 +83,7 @@ def test_main_kernels_are_compiled_once():
         host = HostMarch(built)
         host.initialize()
         host.step(0.02, host.position, host.velocity)
-    for kernel in (march_islands, start_islands, relax_island, condense_island, assemble_line):
+    for kernel in (march_islands, start_islands, relax_island, condense_island):
         assert len(kernel.signatures) == 1, f"{kernel.__name__}: {kernel.signatures}"
 
 

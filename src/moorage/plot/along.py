@@ -10,7 +10,7 @@ from matplotlib.axes import Axes
 
 from moorage.plot.style import COLOURS, QUIET, plain
 from moorage.results.cables import Cable, strand
-from moorage.results.envelope import envelope
+from moorage.results.envelopes import envelope
 
 SHOWN = {"N": ("kN", 1e-3), "N m": ("kN m", 1e-3), "rad": ("deg", 180.0 / pi), "m-1": ("1/m", 1.0)}
 LIMIT = COLOURS[1]

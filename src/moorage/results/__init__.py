@@ -15,7 +15,7 @@ from moorage.results.checkpoint import (
 )
 from moorage.results.columns import Layout
 from moorage.results.dataset import join_columns, line, static_dataset, to_dataset
-from moorage.results.envelope import envelope
+from moorage.results.envelopes import envelope
 from moorage.results.index import Index, make_index
 from moorage.results.memory import MemoryResult
 from moorage.results.provenance import fingerprint, run_attributes
