@@ -123,8 +123,8 @@ def stuck_after(p, i, N, n, q, r, v, stuck, c):
     load = overload(p, coefficients(p, r), N, n, q, w, trial)
     if load <= 1.0:
         return stuck
-    pull = add(scale(1.0 / math.sqrt(load), trial), scale(p.damper[i], w))
-    return add(r, scale(1.0 / p.spring[i], pull))
+    # the spring keeps its share of the force, not what the damper gave: it would drive the node on when that slows down
+    return sub(r, scale(1.0 / math.sqrt(load), way_along(n, r, stuck)))
 
 
 @inlined
