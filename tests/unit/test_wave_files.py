@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import warnings
 
 import numpy as np
@@ -10,6 +11,7 @@ import pytest
 from moorage.errors import ModelWarning
 from moorage.io import read
 from moorage.io.moordyn.writer import write_moordyn
+from moorage.model import Waves
 
 TIME = np.linspace(0.0, 120.0, 481)
 ROWS = "0.0 0.0 0.0\n0.35 1.0 0.0 0.0\n0.4 0.5 1.0 1.57\n0.6 0.0 0.0\n"
@@ -121,6 +123,14 @@ def test_waves_are_written_for_c(deck, tmp_path):
     assert np.allclose(again.elevation(TIME), model.environment.waves.elevation(TIME), atol=1e-12)
     assert again.direction == model.environment.waves.direction
     assert any("waves cannot be said for MoorDyn-F" in note for note in write_moordyn(model, folder / "f.dat", "F"))
+
+
+def test_directions_beyond_a_turn_are_written_within_it(deck, tmp_path):
+    waves = Waves.regular(2.0, 8.0, depth=200.0, direction=7.0)
+    model = read(deck())
+    model = dataclasses.replace(model, environment=dataclasses.replace(model.environment, waves=waves))
+    write_moordyn(model, tmp_path / "c.dat", "C")
+    assert read(tmp_path / "c.dat").environment.waves.direction == pytest.approx((7.0 - 2.0 * np.pi,))
 
 
 def test_both_flavours_of_the_umbilical_have_one_sea(reference):

@@ -83,6 +83,13 @@ def test_repetition(method, repeats):
     assert same == repeats
 
 
+def test_repetition_with_components_missing():
+    """Multiples 5, 7 and 10 of 2 pi / 60 s."""
+    parts = dict.fromkeys(("amplitude", "phase", "direction"), (0.0,) * 3)
+    waves = Waves(frequency=tuple(2.0 * np.pi / 60.0 * k for k in (5, 7, 10)), depth=50.0, **parts)
+    assert waves.repeats_after == pytest.approx(60.0)
+
+
 def hilbert(waves, time):
     """Return the sum of the components as complex numbers, whose size is the envelope of the elevation."""
     parts = np.array(waves.amplitude) * np.exp(1j * np.array(waves.phase))

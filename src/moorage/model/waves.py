@@ -170,11 +170,12 @@ class Waves:
     def repeats_after(self) -> float:
         """Time after which the groups of a sea come again, s: its frequencies are equally spaced; else infinite."""
         w = np.unique(self.frequency)
-        if len(w) < 3:
-            return np.inf
-        steps = np.diff(w) / np.diff(w).min()
-        even = np.all(np.abs(steps - np.rint(steps)) < 1e-3)
-        return float(2.0 * np.pi / np.diff(w).min()) if even else np.inf
+        for parts in (1, 2, 3) if len(w) > 2 else ():  # of the smallest step: components may be missing
+            step = np.diff(w).min() / parts
+            count = np.diff(w) / step
+            if np.all(np.abs(count - np.rint(count)) < 1e-3):
+                return float(2.0 * np.pi / step)
+        return np.inf
 
     @property
     def words(self) -> str:

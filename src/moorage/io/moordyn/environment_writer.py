@@ -113,7 +113,9 @@ def _waves(waves: Waves | None, path: Path, flavour: str, notes: list[str]) -> l
         if value:
             notes.append(f"{name} of the waves cannot be said for MoorDyn-C")
     parts = np.array(waves.amplitude) * np.exp(1j * (np.array(waves.phase) + 0.5 * np.pi))
-    columns = zip(waves.frequency, parts.real, parts.imag, waves.direction, strict=True)
+    way = np.array(waves.direction)
+    way = np.where(np.abs(way) > 2.0 * np.pi, np.angle(np.exp(1j * way)), way)  # MoorDyn-C takes no more than a turn
+    columns = zip(waves.frequency, parts.real, parts.imag, way, strict=True)
     rows = [_numbers(0, 0, 0, 0), *(_numbers(*row) for row in columns)]
     (path.parent / "wave_frequencies.txt").write_text("\n".join(rows) + "\n", "utf-8")
     notes.append("the waves are in wave_frequencies.txt, the one name that MoorDyn-C reads in this folder")
