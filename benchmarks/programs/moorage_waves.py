@@ -24,7 +24,7 @@ def run(job):
     ----------
     job : dict
         `components` (0: still water), `exact` (1: sums at each evaluation); `duration`, `dt_out` s; `time_step` s
-        (0: adaptive); `repeat`.
+        (0: adaptive); `tolerance` m (0: default); `repeat`.
 
     Returns
     -------
@@ -33,7 +33,11 @@ def run(job):
         `iterations`.
     """
     duration, components = float(job["duration"]), int(job["components"])
-    settings = Settings(time_step=float(job["time_step"]) or None, dt_out=float(job["dt_out"]))
+    settings = Settings(
+        time_step=float(job["time_step"]) or None,
+        tolerance=float(job["tolerance"]) or None,
+        dt_out=float(job["dt_out"]),
+    )
     model = lazy_wave()
     if components:
         depth = model.environment.water_depth
