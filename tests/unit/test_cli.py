@@ -181,6 +181,18 @@ def test_convert_goes_both_ways(moorage_):
     assert "not found" in moorage_("convert", "nothing.dat", "out.yaml", code=2).stderr
 
 
+def test_convert_never_writes_over_what_it_reads(moorage_, deck):
+    source = deck()
+    text = source.read_bytes()
+    link = source.with_name("link.dat")
+    link.hardlink_to(source)
+    for target in (source, source.parent / "." / "model.dat", link):
+        assert "give another file" in moorage_("convert", source, target, code=2).stderr
+    assert source.read_bytes() == text
+    moorage_("convert", source, "other.dat")
+    moorage_("convert", source, "other.dat")  # what was written may be written again
+
+
 def test_raise_to_seabed_is_one_flag(moorage_, deck):
     buried = deck(("-837.6    0.0   -200.0", "-837.6    0.0   -201.5"), name="buried.dat")
     refused = moorage_("static", buried, code=2).stderr
