@@ -273,7 +273,7 @@ def announce_compiling() -> None:
 def show_run(ds: xr.Dataset) -> None:
     """Print what a result says of its run, and the tables of its lines and the seabed."""
     console.run_summary(ds.attrs)
-    console.line_table(moorage.results.line_summaries(ds), str(ds.attrs["start"]))
+    console.line_table(moorage.results.line_summaries(ds), moorage.results.has_static_tensions(ds))
     seabed = moorage.results.seabed_reports(ds)
     if seabed:
         console.seabed_table(seabed)

@@ -78,11 +78,11 @@ def run_summary(attrs: Mapping[str, Any]) -> None:
     )
 
 
-def line_table(rows: Iterable[LineSummary], start: str) -> None:
-    """Print the statistics of every line."""
+def line_table(rows: Iterable[LineSummary], static: bool) -> None:
+    """Print the statistics of every line; `static`: they start with the static tension, not with that at time 0."""
     rows = list(rows)
     unit, scale = tension_unit(max((max(r.fairlead.maximum, r.anchor.maximum) for r in rows), default=0.0))
-    first = "static" if start == "static" else "at 0 s"
+    first = "static" if static else "at 0 s"
     table = _table(
         f"\nTension at the ends and lowest tension in the line ({unit}),\n"
         "largest uplift at the anchor (deg), shortest grounded length (m)",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 import warnings
+from collections.abc import Mapping
 from importlib.metadata import version
 from pathlib import Path
 from typing import Literal
@@ -12,6 +13,7 @@ import numpy as np
 import xarray as xr
 
 from moorage._jit import mark_warm
+from moorage.at_rest import records_at_rest, static_tensions
 from moorage.errors import InputError, ModelWarning, Problem, SimulationError, UnsupportedError
 from moorage.model import Attachment, Environment, Line, LineType, Model, Motion, OutputChannel, Point, Section
 from moorage.model.checks import check, suspicious
@@ -69,7 +71,7 @@ def solve_statics(model: Model) -> xr.Dataset:
     built = build(model)
     equilibrium = solve(built)
     warn_of_clamps(built)
-    block = March(built, Settings(dt_nodes=1.0, watch=watch_list(model)), 0.0).first()
+    block = records_at_rest(built, Settings(dt_nodes=1.0, watch=watch_list(model)))
     stiffness = platform_stiffness(built, block["holder_force"][0][built.coupled])
     attrs = run_attributes(model, None, {"start": "static", **friction_in_statics(model)}, VERSION) | {
         "where": equilibrium.where
@@ -158,12 +160,14 @@ def simulate(
     settings = _settings(model, chosen)
     rows = _rows(duration, settings)
     built = build(model, motion, duration)
-    layout = _layout(model, built, _node_dimension(settings), motion)
     mark = fingerprint(model, motion, chosen)
     saved = load_checkpoint(Path(output), mark, VERSION) if resume and output else None
+    static = {}
     if saved is None:
         (solve if chosen["start"] == "static" else rest)(built)
+        static = static_tensions(built) if chosen["start"] == "static" else {}
         warn_of_clamps(built)
+    layout = _layout(model, built, _node_dimension(settings), motion, static)
     later = build_failures(model, motion, duration)
     march = March(built, settings, (rows["time"] - 1) * settings.dt_out, later)
     if saved is not None:
@@ -377,8 +381,14 @@ def _node_dimension(settings: Settings) -> str:
     return "time" if settings.dt_nodes == settings.dt_out else "node_time"
 
 
-def _layout(model: Model, built: Built, node_time: str, motion: Motion | None = None) -> Layout:
+def _layout(
+    model: Model,
+    built: Built,
+    node_time: str,
+    motion: Motion | None = None,
+    static: Mapping[str, np.ndarray] | None = None,
+) -> Layout:
     index = make_index(model, built.names)
     bending = bending_of(model, built, index.allowed_bend_radius)
     outputs = plan_outputs(model, built, motion)
-    return Layout(index, outputs, node_time, bending, seabed_of(model, built), model.environment.waves)
+    return Layout(index, outputs, node_time, bending, seabed_of(model, built), model.environment.waves, static or {})

@@ -29,6 +29,8 @@ _TABLE = (
     Variable("xyz", "", ("xyz",), "1", "component along x, y, z (up)"),
     Variable("fairlead_tension", "T_B", ("time", "line"), "N", "force of the line on its end object at end B"),
     Variable("anchor_tension", "T_A", ("time", "line"), "N", "force of the line on its end object at end A"),
+    Variable("static_fairlead_tension", "", ("line",), "N", "at end B in the static solution that the run starts from"),
+    Variable("static_anchor_tension", "", ("line",), "N", "at end A in the static solution that the run starts from"),
     Variable("fairlead_force", "F_B", ("time", "line", "xyz"), "N", "force vector of the line on its object at end B"),
     Variable("anchor_force", "F_A", ("time", "line", "xyz"), "N", "force vector of the line on its object at end A"),
     Variable("fairlead_segment_tension", "", ("time", "line"), "N", "tension of the last segment, at end B"),

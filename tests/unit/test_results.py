@@ -1,5 +1,6 @@
 """Datasets: what is in them, that it is labelled, and that memory and disk hold the same."""
 
+import dataclasses
 from pathlib import Path
 
 import numpy as np
@@ -9,6 +10,7 @@ import xarray as xr
 import moorage
 from moorage import streaming
 from moorage.errors import ModelWarning, ResultError
+from moorage.model import Waves
 from moorage.results.columns import uplift_angle
 from moorage.results.statistics import line_summaries, summary
 
@@ -154,13 +156,32 @@ def test_uplift_does_not_count_the_weight_of_a_node_on_the_bed():
 
 
 def test_statistics_are_those_of_the_series(ds):
-    assert summary(np.array([2.0, 1.0, 3.0])) == (2.0, 1.0, 2.0, 3.0, pytest.approx(np.sqrt(2.0 / 3.0)))
+    assert summary(np.array([2.0, 1.0, 3.0]), 2.5) == (2.5, 1.0, 2.0, 3.0, pytest.approx(np.sqrt(2.0 / 3.0)))
     rows = line_summaries(ds)
     assert [row.line for row in rows] == [1, 2, 3]
     assert rows[1].fairlead.maximum == ds["fairlead_tension"].sel(line=2).max().item()
-    assert rows[1].anchor.start == ds["anchor_tension"].sel(line=2)[0].item()
+    assert rows[1].anchor.start == pytest.approx(ds["anchor_tension"].sel(line=2)[0].item())  # starts at rest
     assert rows[2].lowest_tension == ds["segment_tension"].values[:, 100:].min()
     assert rows[0].grounded == ds["grounded_length"].sel(line=1).min().item()
+
+
+def test_static_tensions_are_those_at_rest(model, tmp_path):
+    """Motion and sea that start at once put drag, damping and inertia into the sample at time 0, not into these."""
+    eq = moorage.solve_statics(model)
+    jerk = moorage.Motion.from_harmonics(5.0, surge=(1.0, 8.0))
+    sea = dataclasses.replace(model.environment, waves=Waves.regular(6.0, 10.0, depth=200.0))
+    wavy = dataclasses.replace(model, environment=sea)
+    np.testing.assert_allclose(moorage.solve_statics(wavy)["fairlead_force"], eq["fairlead_force"], rtol=1e-9)
+    path = tmp_path / "jerk.nc"
+    with pytest.warns(ModelWarning, match="starts with"):
+        ds = moorage.simulate(wavy, duration=0.2, motion=jerk, output=path)
+    rows = line_summaries(ds)
+    for k in range(3):
+        assert rows[k].fairlead.start == pytest.approx(eq["fairlead_tension"].values[k], rel=1e-9)
+        assert rows[k].anchor.start == pytest.approx(eq["anchor_tension"].values[k], rel=1e-9)
+    assert abs(ds["fairlead_tension"].values[0] / ds["static_fairlead_tension"].values - 1.0).max() > 0.01
+    given = moorage.simulate(model, duration=0.2, start="as-given")
+    assert line_summaries(given)[0].fairlead.start == given["fairlead_tension"].values[0, 0]
 
 
 def test_a_motion_that_starts_with_a_jerk_is_worth_a_warning(model):

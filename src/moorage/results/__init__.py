@@ -23,7 +23,7 @@ from moorage.results.reader import open_result
 from moorage.results.sea import sea_attributes, warn_of_repetition
 from moorage.results.seabed import Seabed, seabed_of
 from moorage.results.seabed_report import SeabedReport, seabed_reports
-from moorage.results.statistics import LineSummary, Summary, line_summaries, static_report
+from moorage.results.statistics import LineSummary, Summary, has_static_tensions, line_summaries, static_report
 from moorage.results.writer import StreamWriter
 
 __all__ = [
@@ -47,6 +47,7 @@ __all__ = [
     "fingerprint",
     "join_columns",
     "line",
+    "has_static_tensions",
     "line_summaries",
     "lines_off_the_grid",
     "load_checkpoint",

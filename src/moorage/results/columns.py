@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -49,6 +50,8 @@ class Layout:
         For models with friction or bathymetry: what their columns need.
     waves : Waves or None
         The sea, where there is one.
+    static : mapping of str to (lines,) float
+        Tensions of the static solution that a run starts from.
     """
 
     index: Index
@@ -57,6 +60,7 @@ class Layout:
     bending: Bending | None = None
     seabed: Seabed | None = None
     waves: Waves | None = None
+    static: Mapping[str, np.ndarray] = field(default_factory=dict)
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -95,7 +99,7 @@ class Layout:
         unused = set(COORDINATES) - set(self.bending.coordinates if self.bending else ())
         known = self.index.coordinates().items()
         rows = {n: values for n, values in known if VARIABLES[n].dims not in left_out and n not in unused}
-        return rows | (self.seabed.coordinates if self.seabed else {})
+        return rows | (self.seabed.coordinates if self.seabed else {}) | dict(self.static)
 
     def dims(self, name: str) -> tuple[str, ...]:
         """Return the dimensions of a variable over time."""

@@ -13,7 +13,7 @@ OF_SEABED = ("anchor_uplift_force", "touchdown_position", "touchdown_arc_length"
 
 
 class Summary(NamedTuple):
-    """A series at its start, and its minimum, mean, maximum and standard deviation."""
+    """A series at its start (or at rest, where that is known), and its minimum, mean, maximum and standard deviation."""
 
     start: float
     minimum: float
@@ -33,28 +33,33 @@ class LineSummary(NamedTuple):
     grounded: float  # shortest length on the seabed, m
 
 
-def summary(values: np.ndarray) -> Summary:
+def summary(values: np.ndarray, start: float) -> Summary:
     """Summarise a series (n,)."""
-    return Summary(
-        float(values[0]), float(values.min()), float(values.mean()), float(values.max()), float(values.std())
-    )
+    return Summary(start, float(values.min()), float(values.mean()), float(values.max()), float(values.std()))
 
 
 def line_summaries(ds: xr.Dataset) -> list[LineSummary]:
-    """Summarise every line of a run."""
+    """Summarise every line of a run; it starts with its static tensions where it began with statics."""
     names = ("fairlead_tension", "anchor_tension", "minimum_tension", "anchor_uplift_angle", "grounded_length")
     fairlead, anchor, lowest, uplift, grounded = (ds[name].transpose("time", "line").values for name in names)
+    start_fairlead = ds["static_fairlead_tension"].values if has_static_tensions(ds) else fairlead[0]
+    start_anchor = ds["static_anchor_tension"].values if has_static_tensions(ds) else anchor[0]
     return [
         LineSummary(
             int(id),
-            summary(fairlead[:, k]),
-            summary(anchor[:, k]),
+            summary(fairlead[:, k], float(start_fairlead[k])),
+            summary(anchor[:, k], float(start_anchor[k])),
             float(lowest[:, k].min()),
             float(uplift[:, k].max()),
             float(grounded[:, k].min()),
         )
         for k, id in enumerate(ds["line"].values)
     ]
+
+
+def has_static_tensions(ds: xr.Dataset) -> bool:
+    """Return whether a result holds the static tensions that its run started from."""
+    return "static_fairlead_tension" in ds.variables
 
 
 def static_report(ds: xr.Dataset) -> dict[str, object]:
