@@ -13,7 +13,7 @@ OF_SEABED = ("anchor_uplift_force", "touchdown_position", "touchdown_arc_length"
 
 
 class Summary(NamedTuple):
-    """A series at its start (or at rest, where that is known), and its minimum, mean, maximum and standard deviation."""
+    """A series at its start or at rest, and its minimum, mean, maximum and standard deviation."""
 
     start: float
     minimum: float
