@@ -176,12 +176,17 @@ CASES = {
     "option without whole number": (option("1.5 writeLog"), "option writeLog is not a whole number"),
     "no switch": (option("7 disableOutput"), "option disableOutput is a switch"),
     "unknown mode": (option("9 WaveKin"), "option WaveKin has no mode 9"),
-    "no water": (("200.0    WtrDpth", "-200.0    WtrDpth"), "water depth of the environment must be positive"),
+    "no water": (
+        ("200.0    WtrDpth", "-200.0    WtrDpth"),
+        r"^\S*model.dat:17: water depth of the environment must be positive",
+    ),
     "infinite water": (("200.0    WtrDpth", "inf    WtrDpth"), "water depth is not a number"),
-    "negative density": (option("-1 rho"), "water density of the environment must not be negative"),
+    "negative density": (option("-1 rho"), r"model.dat:18: water density of the environment must not be negative"),
+    "negative gravity": (option("-9.81 g"), r"model.dat:18: gravity of the environment must not be negative"),
+    "soft seabed": (option("-1 kBot"), r"model.dat:18: seabed stiffness of the environment must not be negative"),
     "negative friction": (option("-1 mu_kT"), "transverse of seabed friction must not be negative"),
     "static below kinetic": (option("0.5 mc"), "static friction is below kinetic friction"),
-    "negative interval": (option("-1 dtOut"), "output interval must be positive"),
+    "negative interval": (option("-1 dtOut"), r"model.dat:18: output interval must be positive"),
     "depth file missing": (("200.0    WtrDpth", "depths.txt  WtrDpth"), "depth file not found: tried .*depths.txt"),
     "current file missing": (option("1 Currents"), "table of current profile not found: tried .*current_profile.txt"),
     "water file missing": (option("water.dat WaterKin"), "water kinematics file not found"),
@@ -213,6 +218,13 @@ def test_all_problems_come_together(deck):
     with pytest.warns(ModelWarning, match="no water depth"), pytest.raises(ModelError) as caught:
         read(path)
     assert [problem.source.line for problem in caught.value.problems] == [6, 10, 15, 17]
+
+
+@pytest.mark.parametrize("depth", ["-200", "0"])
+def test_a_wrong_depth_blames_no_points(deck, depth):
+    with pytest.raises(ModelError) as caught:
+        read(deck(("200.0    WtrDpth", f"{depth}    WtrDpth")))
+    assert [problem.source.line for problem in caught.value.problems] == [17]
 
 
 TABLES = {

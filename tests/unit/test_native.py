@@ -120,6 +120,7 @@ CLASSES = {
     "control": m.Control, "external load": m.ExternalLoad,
 }  # fmt: skip
 ELSEWHERE = {
+    "sources",
     "depth",
     "density",
     "seed",
@@ -166,6 +167,7 @@ def _has_no_default(field: "dataclasses.Field[typing.Any]") -> bool:
             "  gravity: 9.81\n  gravity: 9.8",
             "key gravity of environment of the model is given twice",
         ),
+        ("gravity: 9.81", "gravity: -9.81", r"model.yaml:\d+: gravity of the environment must not be negative"),
         ("gravity: 9.81", "gravity: heavy", "gravity of environment of the model is not a number"),
         ("gravity: 9.81", "gravity: [1]", "gravity of environment of the model is not a word"),
         (

@@ -98,6 +98,7 @@ def _model(values: Values, folder: Path, found: Findings) -> Model:
         start=values.get("start", "static"),
         output_interval=values.get("output_interval"),
         title=values.get("title", ""),
+        sources=tuple((name, values["environment"]["source"]) for name in SCHEMA["environment"]),
     )
 
 

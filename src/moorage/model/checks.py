@@ -97,11 +97,12 @@ def _signs(thing: object, name: str, source: Source | None, positive: str, not_n
 
 def environment_is_possible(model: Model) -> Iterator[Problem]:
     """Depth is positive; gravity, density and seabed are not negative."""
-    source = Source(model.file) if model.file else None
-    environment = model.environment
-    weak = "gravity water_density seabed_stiffness seabed_damping"
-    yield from _signs(environment, "the environment", source, "water_depth", weak)
+    name, environment = "the environment", model.environment
+    yield from _signs(environment, name, model.source_of("water_depth"), "water_depth", "")
+    for field in ("gravity", "water_density", "seabed_stiffness", "seabed_damping"):
+        yield from _signs(environment, name, model.source_of(field), "", field)
     if model.output_interval is not None and model.output_interval <= 0.0:
+        source = model.source_of("output_interval")
         yield Problem("output interval must be positive", "correct it", source, model.output_interval)
 
 
@@ -265,8 +266,8 @@ def rods_have_length(model: Model) -> Iterator[Problem]:
 
 
 def anchors_are_not_buried(model: Model) -> Iterator[Problem]:
-    """Fixed points stand on the seabed or above."""
-    if any(depths_are_positive(model)):
+    """Fixed points stand on the seabed or above, where its depth is one."""
+    if not model.environment.water_depth > 0.0 or any(depths_are_positive(model)):
         return
     for point in model.points:
         gap = below_seabed(point, model.environment)

@@ -52,6 +52,8 @@ class Model:
         "native", "MoorDyn-C", "MoorDyn-F", "MoorDyn v2" (either) or "MoorDyn v1": what the input was read as.
     text : str
         The input as read, kept for the record of a run.
+    sources : tuple of (str, Source)
+        Where the values are given that are not of a component: those of the environment, and `output_interval`.
     """
 
     environment: Environment
@@ -72,6 +74,11 @@ class Model:
     file: str = field(default="", compare=False)
     text: str = field(default="", compare=False, repr=False)
     unused_options: tuple[UnusedOption, ...] = field(default=(), compare=False)
+    sources: tuple[tuple[str, Source], ...] = field(default=(), compare=False, repr=False)
+
+    def source_of(self, name: str) -> Source | None:
+        """Return where a value of the environment, or `output_interval`, is given: at least the file, if there is one."""
+        return dict(self.sources).get(name, Source(self.file) if self.file else None)
 
     def line_type(self, name: str) -> LineType:
         """Return the line type of that name (case-insensitive)."""

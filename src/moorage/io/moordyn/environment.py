@@ -48,6 +48,12 @@ def read_environment(
     )
 
 
+def sources(values: Values) -> tuple[tuple[str, Source], ...]:
+    """Return where the options stand that give the values of a model, by the names of those."""
+    names = _NUMBERS | {"water_depth": "WtrDpth", "output_interval": "dtOut"}
+    return tuple((field, values[name].source) for field, name in names.items() if name in values)
+
+
 def number(values: Values, name: str, default: float) -> float:
     """Return the number that an option has, or a default when it is not given."""
     word = values[name].word if name in values else ""

@@ -9,7 +9,7 @@ from typing import Literal
 from moorage.errors import Source
 from moorage.io.finish import checked
 from moorage.io.moordyn import bodies, channels, events, line_types, lines, points, rods
-from moorage.io.moordyn.environment import number, read_environment
+from moorage.io.moordyn.environment import number, read_environment, sources
 from moorage.io.moordyn.options import Value, flavour, read_options, unused
 from moorage.io.moordyn.sections import Table, split_sections, unknown_sections
 from moorage.io.moordyn.v1 import is_v1
@@ -69,6 +69,7 @@ def parse_moordyn(text: str, path: Path, found: Findings, defaults: Environment 
         file=str(path),
         text=text,
         unused_options=unused(values),
+        sources=sources(values),
     )
 
 
