@@ -127,7 +127,17 @@ def test_run_ends_with_the_motion(driver, tmp_path):
         ("0 0 0 0 0 0 0 0\nEND", "0 0 0\nEND", "row of initial positions has 3 values"),
         ("0 0 0 0 0 0 0 0\nEND of driver input file\n", "", "0 rows of initial positions"),
         ("Initial Positions", "Elsewhere", "Initial Positions is missing"),
-        ('"model.dat"', '"other.dat"', "model file not found: tried"),
+        (
+            '"model.dat"',
+            '"other.dat"',
+            r"md_driver.inp:8: model file of the driver file not found: tried \S*other.dat \(read: 'other.dat'\)",
+        ),
+        ('"model.dat"', '""', "md_driver.inp:8: MDInputFile is empty"),
+        (
+            "0                   InputsMode",
+            "1                   InputsMode",
+            r"md_driver.inp:13: motion file of the driver file not found: tried \S*motion.dat \(read: 'motion.dat'\)",
+        ),
     ],
 )
 def test_errors(driver, old, new, message):

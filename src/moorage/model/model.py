@@ -77,7 +77,7 @@ class Model:
     sources: tuple[tuple[str, Source], ...] = field(default=(), compare=False, repr=False)
 
     def source_of(self, name: str) -> Source | None:
-        """Return where a value of the environment, or `output_interval`, is given: at least the file, if there is one."""
+        """Return where a value of the environment, or `output_interval`, is given; the file where no line is known."""
         return dict(self.sources).get(name, Source(self.file) if self.file else None)
 
     def line_type(self, name: str) -> LineType:

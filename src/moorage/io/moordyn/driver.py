@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import difflib
+import os
 import warnings
 from dataclasses import dataclass
 from math import radians
@@ -70,8 +71,8 @@ def read_driver(path: str | Path, raise_to_seabed: bool = False) -> DriverCase:
     mode, turbines = (_integer(values, name, found) for name in ("InputsMode", "NumTurbines"))
     if mode not in (0, 1):
         found.add("InputsMode must be 0 or 1", "1 reads InputsFile", values["InputsMode"].source, mode)
-    if mode == 1 and "InputsFile" in values and not values["InputsFile"].words[0]:
-        found.add("InputsFile is empty, but InputsMode is 1", "name a motion file", values["InputsFile"].source)
+    for name in ("MDInputFile", "InputsFile")[: 1 + (mode == 1)]:
+        _find_file(values, name, path.parent, found)
     offsets = _offsets(lines, max(1, turbines), found, Source(str(path)))
     found.raise_any()
     environment = Environment(water_depth=numbers["WtrDpth"], gravity=numbers["Gravity"], water_density=numbers["rhoW"])
@@ -115,6 +116,19 @@ def _values(lines: list[Row], found: Findings, source: Source) -> dict[str, Row]
         if name not in values and name not in OPTIONAL:
             found.add(f"{name} is missing", f"add a row: value {name}", source)
     return values
+
+
+def _find_file(values: dict[str, Row], name: str, folder: Path, found: Findings) -> None:
+    """Note a file that the driver file names and that is not there."""
+    if name not in values:
+        return
+    what = {"MDInputFile": "model", "InputsFile": "motion"}[name]
+    word, source = values[name].words[0], values[name].source
+    if not word:
+        found.add(f"{name} is empty", f"name a {what} file", source)
+    elif not os.path.exists(folder / word):  # unlike Path.exists, takes any name
+        message = f"{what} file of the driver file not found: tried {folder / word}"
+        found.add(message, "correct the name (relative to the driver file), or put the file there", source, word)
 
 
 def _integer(values: dict[str, Row], name: str, found: Findings) -> int:
