@@ -79,13 +79,18 @@ numba.config.CACHE_DIR = str(CACHE)  # type: ignore[attr-defined]
 
 
 def is_cold() -> bool:
-    """Return whether the kernels have still to be compiled on this machine (about half a minute, once)."""
-    return not (CACHE / "warm").exists()
+    """Return whether the kernels have still to be compiled for this installation (two minutes, once)."""
+    return not _mark().exists()
 
 
 def mark_warm() -> None:
     """Note that the main kernels are in the cache."""
-    (CACHE / "warm").touch()
+    _mark().touch()
+
+
+def _mark() -> pathlib.Path:
+    """Return the file that says so; numba keeps the code of each place of the package apart."""
+    return CACHE / f"warm-{hashlib.sha256(str(_PACKAGE).encode()).hexdigest()[:16]}"
 
 
 def kernel(function):

@@ -5,14 +5,16 @@ Tolerances are rounding times the condition of the matrices, which is below 1e5 
 
 from __future__ import annotations
 
+import dataclasses
+
 import numpy as np
 import pytest
 from dense import STIFFNESS, assembled, dense_increments, increments, reduced, shaken
-from moorings import CHAIN, clamp, coupled, fixed, free, held, joint, kind, line, mooring, point_forces, statics
+from moorings import CHAIN, clamp, coupled, fixed, free, held, joint, kind, line, mooring, point_forces, spread, statics
 
 from moorage._jit import kernel
 from moorage.layout import Weights, copy_of, new_work
-from moorage.model import Model
+from moorage.model import Attachment, Line, Model, Rod
 from moorage.solve.line_solve import assemble_and_reduce, back_substitute, reduce_line, substitute
 from moorage.solve.newton import newton_island
 from moorage.solve.statics import solve
@@ -233,3 +235,42 @@ def test_platform_stiffness_is_the_derivative_of_the_static_forces():
     size = np.sqrt(np.abs(np.diag(expected)))
     assert np.abs((K - expected) / np.outer(size, size)).max() < 1e-5
     assert coupled_stiffness(built, built.coupled).shape == (2, 3, 2, 3)
+
+
+def on_a_rod(stiffness: float) -> Model:
+    """The chain of `bridled` to point 3, held by a coupled rod that points down instead."""
+    rod = Rod(id=1, rod_type="clamp", kind="coupled", end_a=(-10.0, 5.0, -10.0), end_b=(-10.0, 5.0, -11.0), segments=0)
+    chain = dataclasses.replace(CHAIN, bending_stiffness=stiffness)
+    lines = (
+        Line(
+            id=1,
+            sections=line(1, 1, 2, ("chain", 402.0, 20)).sections,
+            end_a=Attachment("point", 1),
+            end_b=held(rod, "B"),
+        ),
+    )
+    return mooring(chain, (fixed(1, -400.0, 0.0, -100.0),), lines, (rod,), water_depth=100.0)
+
+
+def test_stiffness_of_a_rod_that_hardly_bends_a_cable_is_that_of_a_point():
+    """EI of 1 N m2 turns the chain's end by T l / EI times less than it would like; measured steps leave 2e-3."""
+    point = mooring(
+        CHAIN, (fixed(1, -400.0, 0.0, -100.0), coupled(3, -10.0, 5.0, -10.0)), (line(1, 1, 3, ("chain", 402.0, 20)),),
+        water_depth=100.0,
+    )  # fmt: skip
+    reference, rod = statics(point, tolerance=1e-4), statics(on_a_rod(1.0), tolerance=1e-4)
+    expected = platform_stiffness(reference, point_forces(reference)[reference.coupled])
+    size = np.sqrt(np.abs(np.diag(expected)))
+    assert np.abs((platform_stiffness(rod) - expected) / np.outer(size, size)).max() < 2e-3
+
+
+@pytest.mark.parametrize("length", [1100.0, 2000.0])
+def test_slack_lines_have_a_finite_stiffness(length):
+    """Piled on the bed or hanging straight down, nodes yield without resistance; a platform over them yields too.
+
+    What rounding leaves of EA / l is 1e-6 of it.
+    """
+    built = statics(spread(20, length=length))
+    K = platform_stiffness(built, point_forces(built)[built.coupled])
+    assert np.isfinite(K).all()
+    assert (np.diag(K) >= -1e-6 * built.system.tension.spring.max()).all()

@@ -131,6 +131,19 @@ def test_statics_are_the_same():
     assert np.abs(moments[0] - moments[1]).max() < 1e-4 * np.abs(moments[0]).max()
 
 
+def test_statics_do_not_need_the_place_of_the_joints():
+    """Described on the chord, as converted files have them, 30 m from where they hang."""
+    right, chord = three_lines(), three_lines()
+    a, b = np.array([105.0, 0.0, -DEPTH]), np.array([0.0, 0.0, -4.0])
+    places = [a + share * (b - a) for share in (55.0 / 137.0, 80.0 / 137.0)]
+    rods = tuple(
+        dataclasses.replace(rod, end_a=tuple(place), end_b=tuple(place + np.subtract(rod.end_b, rod.end_a)))
+        for rod, place in zip(chord.rods, places, strict=True)
+    )
+    found = statics(dataclasses.replace(chord, rods=rods), tolerance=1e-5).state.position
+    assert np.abs(found - statics(right, tolerance=1e-5).state.position).max() < 1e-4
+
+
 def moved(model, at_end: tuple[int, int]) -> np.ndarray:
     """Force on the moved point in a run with steps of 0.02 s, (n, 3)."""
     built = build(model, MOTION, 12.0)

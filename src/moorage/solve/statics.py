@@ -71,8 +71,12 @@ def solve(built: Built, tolerance: float | None = None) -> Equilibrium:
         reach = _reach(built, island)
         force, row, n, d = relax_island(system, built.state, built.work, island, reach, asked, QUICK)
         used, damped = used + n, damped + d
+        if not force < accepted and islands.joint_ptr[island + 1] > islands.joint_ptr[island]:
+            _put_back(built, island, begin._replace(position=built.hung))
+            force, row, n, d = relax_island(system, built.state, built.work, island, reach, asked, QUICK)
+            used, damped = used + n, damped + d
         if not force < accepted:
-            _put_back(built, island, begin)
+            _put_back(built, island, begin._replace(position=built.hung))
             force, row, n, d = descend_island(system, built.state, built.work, island, reach, accepted, ITERATIONS)
             used, damped = used + n, damped + d
         if not force < accepted and system.current.velocity.any():

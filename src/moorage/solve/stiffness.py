@@ -78,7 +78,8 @@ def point_stiffness(built: Built) -> np.ndarray:
     system, lines = static_system(built.system), built.system.lines
     n, first_row = len(system.points.mass), int(built.names.node_ptr[-1])
     blocks, across = np.zeros((len(lines.bends), 4, 4, 9)), np.zeros((len(system.joints.rule), 9))
-    c = Weights(0.0, 0.0, 1.0)
+    # slack nodes yield without resistance: their mass, as in statics, keeps the pivots from zero
+    c = Weights(1e-8, 0.0, 1.0)
     for island in range(len(system.islands.line_ptr) - 1):
         condense_island(system, built.state, built.work, island, c, blocks, across)
     inner = -np.ones((len(lines.bends), 2), dtype=int)
@@ -175,7 +176,7 @@ def measured_stiffness(built: Built, moved, step: float = 2e-3) -> np.ndarray:
             move[k] = sign * step
             _move_platform(built, moved, move, rest)
             solve(built, tolerance)
-            loads.append(_platform_load(built, moved))
+            loads.append(_platform_load(built, moved, move[:3]))
         K[:, k] = (loads[1] - loads[0]) / (2.0 * step)
     built.system.tracks.rest[...], built.system.tracks.coefficients[...] = rest, coefficients
     for target, source in zip(built.state, begin, strict=True):
@@ -196,8 +197,8 @@ def _move_platform(built: Built, moved, move, rest) -> None:
             system.tracks.coefficients[system.tracks.track[k], 0, :, 3] = system.tracks.rest[k]
 
 
-def _platform_load(built: Built, moved) -> np.ndarray:
-    """Force (N) and moment about the origin (N m) of the lines on the moved holders, at rest."""
+def _platform_load(built: Built, moved, origin) -> np.ndarray:
+    """Force (N) and moment (N m) of the lines on the moved holders, at rest; about the platform's origin, m."""
     sample = np.zeros((len(built.names.lines), COLUMNS))
     sample_system(built.system, built.state, 0.0, sample)
     load = np.zeros(6)
@@ -205,7 +206,7 @@ def _platform_load(built: Built, moved) -> np.ndarray:
         for end, holder in enumerate(ends):
             if holder in moved:
                 force = sample[line, FORCE_A + 3 * end : FORCE_A + 3 * end + 3]
-                arm = built.state.position[built.names.node_ptr[line + end] - end]
+                arm = built.state.position[built.names.node_ptr[line + end] - end] - origin
                 load[:3] += force
                 load[3:] += np.cross(arm, force) + sample[line, MOMENT_A + 3 * end : MOMENT_A + 3 * end + 3]
     return load

@@ -18,7 +18,7 @@ from moorage.physics.tension import Tension, damping_from_ratio
 from moorage.physics.weight import Weight
 from moorage.system.bed import build_contact, build_friction
 from moorage.system.bends import build_bending
-from moorage.system.guess import place_guess
+from moorage.system.guess import hang_chains, place_guess
 from moorage.system.holders import Holders, holders_of, release, timed_failures
 from moorage.system.sea import build_sea
 from moorage.system.segments import NodeSum, segment_table
@@ -44,6 +44,7 @@ class Built(NamedTuple):
     work: Work
     names: Names
     island_of_line: np.ndarray  # (lines,)
+    hung: np.ndarray  # (rows, 3) where statics start: as the state does, but chains of joined lines hang as one, m
     coupled: np.ndarray  # (m,) rows of points and rod ends, counted from the first point, that a motion moves
 
 
@@ -105,7 +106,8 @@ def build(
         tracks=_tracks(motion, holders, clamps),
     )
     state = new_state(int(node_ptr[-1]) + len(holders.rest))
-    place_guess(model, system, state, l, env.gravity * (m - env.water_density * segments["area"]))
+    weight = env.gravity * (m - env.water_density * segments["area"])
+    place_guess(model, system, state, l, weight)
     arc = np.concatenate([np.concatenate([[0.0], np.cumsum(part)]) for part in np.split(l, np.cumsum(count)[:-1])])
     names = Names(
         np.array([line.id for line in model.lines], dtype=np.int64),
@@ -115,7 +117,15 @@ def build(
         l,
         arc,
     )
-    return Built(system, state, new_work(system), names, island_of_line, np.flatnonzero(holders.coupled))
+    return Built(
+        system,
+        state,
+        new_work(system),
+        names,
+        island_of_line,
+        hang_chains(model, system, state, l, weight),
+        np.flatnonzero(holders.coupled),
+    )
 
 
 def build_failures(model: Model, motion: Motion | None = None, duration: float | None = None):
