@@ -173,7 +173,7 @@ def static(
     announce_compiling()
     ds = moorage.solve_statics(model)
     if as_json:
-        typer.echo(json.dumps(moorage.results.static_report(ds), indent=2))
+        typer.echo(json.dumps(moorage.results.static_report(ds), indent=2, allow_nan=False))
     else:
         console.static_tables(ds, moorage.results.cable_reports(ds), moorage.results.seabed_reports(ds))
 
@@ -267,7 +267,7 @@ def read_case(file: Path, motion: Path | None, duration: float | None, raise_to_
 def announce_compiling() -> None:
     """Say why the first run takes long."""
     if moorage.is_cold():
-        console.say("compiling the kernels for this machine, once (about a minute) ...")
+        console.say("compiling the kernels for this machine, once (about two minutes) ...")
 
 
 def show_run(ds: xr.Dataset) -> None:

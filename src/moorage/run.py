@@ -159,6 +159,7 @@ def simulate(
     warn_of_repetition(model.environment.waves, duration)
     settings = _settings(model, chosen)
     rows = _rows(duration, settings)
+    _warn_of_rest(duration, (rows["time"] - 1) * settings.dt_out, settings.dt_out)
     built = build(model, motion, duration)
     mark = fingerprint(model, motion, chosen)
     saved = load_checkpoint(Path(output), mark, VERSION) if resume and output else None
@@ -373,6 +374,17 @@ def _rows(duration: float, settings: Settings) -> dict[str, int]:
         "time": rows,
         "node_time": int(np.floor(end / settings.dt_nodes + 1e-6)) + 1 if settings.dt_nodes else 0,
     }
+
+
+def _warn_of_rest(duration: float, end: float, dt_out: float) -> None:
+    """Warn of a duration that is no multiple of the interval of results."""
+    if duration - end > 1e-6 * dt_out:
+        warnings.warn(
+            f"results end at {end:g} s: the duration of {duration:g} s is no multiple of their interval of {dt_out:g} s "
+            "(--dt-out, dt_out)",
+            ModelWarning,
+            stacklevel=3,
+        )
 
 
 def _node_dimension(settings: Settings) -> str:

@@ -135,6 +135,13 @@ def test_static_prints_json_alone_on_stdout():
     assert report["iterations"] > 0
 
 
+def test_json_never_holds_what_is_no_json(monkeypatch):
+    monkeypatch.setattr(moorage.results, "static_report", lambda ds: {"residual": float("nan")})
+    result = CliRunner().invoke(cli.app, ["static", MODEL, "--json"])
+    assert isinstance(result.exception, ValueError)
+    assert "NaN" not in result.stdout
+
+
 def test_static_prints_tables(moorage_):
     output = moorage_("static", MODEL).output
     assert "1098.4" in output

@@ -1,6 +1,7 @@
 """Datasets: what is in them, that it is labelled, and that memory and disk hold the same."""
 
 import dataclasses
+import warnings
 from pathlib import Path
 
 import numpy as np
@@ -188,6 +189,15 @@ def test_a_motion_that_starts_with_a_jerk_is_worth_a_warning(model):
     jerk = moorage.Motion.from_harmonics(5.0, surge=(1.0, 8.0))
     with pytest.warns(ModelWarning, match=r"starts with 0\.79 m/s.*ramp"):
         moorage.simulate(model, duration=0.2, motion=jerk)
+
+
+def test_a_duration_that_is_no_multiple_of_the_interval_is_told(model):
+    with pytest.warns(ModelWarning, match=r"results end at 0\.9 s: the duration of 1 s is no multiple .* of 0\.3 s"):
+        ds = moorage.simulate(model, duration=1.0, dt_out=0.3)
+    assert ds["time"].values[-1] == pytest.approx(0.9)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        moorage.simulate(model, duration=0.9, dt_out=0.3)
 
 
 @pytest.mark.parametrize(
