@@ -55,6 +55,14 @@ NATIVE = {
         (EI, "bending_stiffness: {x: [0, 0.1, 0.2], y: [0, 2e3, 1e3]}"),
         "table of bending stiffness of line type cable has moments that do not increase",
     ),
+    "curve begins late": (
+        (EI, "bending_stiffness: {x: [0.01, 0.2], y: [1e3, 2e3]}"),
+        "bending stiffness of line type cable does not start at 0, 0",
+    ),
+    "moment of a straight line": (
+        (EI, "bending_stiffness: {x: [0, 0.2], y: [1e3, 2e3]}"),
+        "bending stiffness of line type cable does not start at 0, 0",
+    ),
     "negative radius": (("minimum_bend_radius: 2.5", "minimum_bend_radius: -1"), "minimum bend radius of line type cable"),
     "stiffener too long": (stiffener(length="91"), "bend stiffener at end B of line 1 is longer than its section of 90 m"),
     "stiffener of no length": (stiffener(length="0"), "length of the bend stiffener at end B of line 1 must be positive"),
@@ -172,6 +180,7 @@ def test_moordyn(joined, name):
         ("0 0\n0.2 1e3\n0.1 2e3\n", "does not increase at row 3"),
         ("0 0\n0.1 2e3\n0.2 1e3\n", "has moments that do not increase"),
         ("0 0\n", "has 1 rows of numbers"),
+        ("0.01 1e3\n0.2 2e3\n", r"model.dat:4: table bend.txt of bending .* 0, 0(.|\n)*add the row 0 0"),
     ],
 )
 def test_moordyn_tables(joined, tmp_path, rows, message):

@@ -143,8 +143,17 @@ def _curves(line_type: LineType) -> Iterator[Problem]:
                 yield Problem(f"{what} does not increase at row {k + 2}", remedy, line_type.source, b)
         if field == "axial_stiffness" and any(b < a for a, b in pairwise(curve.y)):
             yield Problem(f"{what} has falling tension", "give tensions that do not fall", line_type.source)
+        if field == "bending_stiffness" and not _is_zero_at_zero(curve):
+            remedy = "add the row 0 0: a straight line has no moment"
+            yield Problem(f"{what} does not start at 0, 0", remedy, line_type.source, (curve.x[:1], curve.y[:1]))
         if field == "bending_stiffness" and any(b <= a for a, b in pairwise(curve.y)):
             yield Problem(f"{what} has moments that do not increase", "give larger and larger ones", line_type.source)
+
+
+def _is_zero_at_zero(curve: Curve) -> bool:
+    """Return whether a curve starts at 0, 0, or goes through it; other checks tell rows that are none."""
+    rows = list(zip(curve.x, curve.y, strict=False))
+    return (0.0, 0.0) in rows and all(x >= 0.0 or y < 0.0 for x, y in rows)
 
 
 def rod_types_are_possible(model: Model) -> Iterator[Problem]:
