@@ -92,7 +92,11 @@ ModelFile = Annotated[
 ]
 ResultFile = Annotated[Path, typer.Argument(metavar="RESULT.nc", help="What a run wrote.")]
 Raise = Annotated[
-    bool, typer.Option("--raise-to-seabed", help="Put anchors that are below the seabed, or over its grid, on it.")
+    bool,
+    typer.Option(
+        "--raise-to-seabed",
+        help="Put anchors on the seabed: those below it, and those less than a tenth of the depth over a depth grid.",
+    ),
 ]
 
 

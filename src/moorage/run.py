@@ -380,8 +380,8 @@ def _warn_of_rest(duration: float, end: float, dt_out: float) -> None:
     """Warn of a duration that is no multiple of the interval of results."""
     if duration - end > 1e-6 * dt_out:
         warnings.warn(
-            f"results end at {end:g} s: the duration of {duration:g} s is no multiple of their interval of {dt_out:g} s "
-            "(--dt-out, dt_out)",
+            f"results end at {end:g} s: the duration of {duration:g} s is no multiple of their interval "
+            f"of {dt_out:g} s (--dt-out, dt_out)",
             ModelWarning,
             stacklevel=3,
         )

@@ -11,6 +11,7 @@ from moorage.errors import ModelError, ModelWarning
 from moorage.io import read
 from moorage.model import Bathymetry, Friction, Motion
 from moorage.model.checks import check, suspicious
+from moorage.model.seabed import raise_to_seabed
 
 NATIVE = """moorage: 1
 environment:
@@ -103,6 +104,24 @@ def test_holes_in_a_grid_from_python():
     ) as caught:
         check(chain(bathymetry=grid))
     assert len(caught.value.problems) == 1
+
+
+@pytest.mark.parametrize(("z", "gap"), [(-190.0, "10 m"), (-199.7, "0.3 m"), (-118.0, "82 m")])
+@pytest.mark.parametrize("grid", [None, Bathymetry((-700.0, 100.0), (-50.0, 50.0), ((200.0, 200.0), (200.0, 200.0)))])
+def test_anchors_that_hang_over_the_bed_are_told(z, gap, grid):
+    """And the remedy names raise_to_seabed where that moves them, and nowhere else."""
+    points = [fixed(1, -600.0, 0.0, z), coupled(2, 0.0, 0.0, -10.0), fixed(3, 0.0, 0.0, z)]
+    model = mooring(CHAIN, points, [line(1, 1, 2, ("chain", 640.0, 10))], water_depth=200.0, bathymetry=grid)
+    (problem,) = suspicious(model)  # point 3 holds no line
+    assert f"anchor (fixed point 1) stands {gap} over the seabed" in problem.message
+    moved = raise_to_seabed(model).points[0].position[2] == -200.0
+    assert moved == ("raise_to_seabed" in problem.remedy) == (grid is not None and z < -180.0)
+
+
+@pytest.mark.parametrize("z", [-199.95, -99.0])
+def test_anchors_on_the_bed_and_holds_in_the_water_are_not(z):
+    points = [fixed(1, -600.0, 0.0, z), coupled(2, 0.0, 0.0, -10.0)]
+    assert suspicious(mooring(CHAIN, points, [line(1, 1, 2, ("chain", 640.0, 10))], water_depth=200.0)) == []
 
 
 def saturated(damping, **more):

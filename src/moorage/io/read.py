@@ -16,7 +16,8 @@ def read(path: str | Path, raise_to_seabed: bool = False) -> Model:
     Parameters
     ----------
     raise_to_seabed : bool
-        Move fixed points that stand below the seabed up to it, instead of refusing them.
+        Put fixed points that stand below the seabed on it, instead of refusing them, and those that stand less than a
+        tenth of the depth over a depth grid.
     """
     path = Path(path)
     if path.suffix.lower() in (".yaml", ".yml"):

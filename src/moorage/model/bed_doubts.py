@@ -8,10 +8,11 @@ from moorage.errors import Problem
 from moorage.model.components import Line
 from moorage.model.environment import Bathymetry
 from moorage.model.model import Model
-from moorage.model.seabed import above_seabed, is_anchor
+from moorage.model.seabed import ABOVE, above_seabed, is_anchor
 
 SPEED = 0.1  # m/s, at which saturated damping should be Coulomb's friction
 ENOUGH = 0.9
+RELATIVE = 1e-3  # of the depth, above which an anchor hangs over the seabed
 
 
 def weak_friction(model: Model) -> list[Problem]:
@@ -75,18 +76,27 @@ def points_off_the_grid(model: Model) -> list[Problem]:
 
 
 def anchors_over_the_bed(model: Model) -> list[Problem]:
-    """Return the anchors that stand a little over a depth grid; those below it are refused."""
-    found = [(point, above_seabed(point, model.environment)) for point in model.points]
-    return [
-        Problem(
-            f"anchor (fixed point {point.id}) stands {gap:.3g} m over the seabed of the depth grid",
-            "write seabed for its z, or read with raise_to_seabed (--raise-to-seabed)",
-            point.source,
-            point.position[2],
-        )
-        for point, gap in found
-        if gap > 0.0
-    ]
+    """Return the fixed points with lines that hang over the seabed in the lower half of the water.
+
+    Those below the seabed are refused; one in the upper half holds something in the water.
+    """
+    env = model.environment
+    tied = {end.id for line in model.lines for end in (line.end_a, line.end_b) if end.kind == "point"}
+    found = []
+    for point in model.points:
+        x, y, z = point.position
+        depth = env.depth_at(x, y)
+        if point.on_seabed or point.id not in tied or not is_anchor(point, env):
+            continue
+        if z + depth > max(ABOVE, RELATIVE * depth):
+            raised = above_seabed(point, env) > 0.0
+            remedy = f"write z = {-depth:.6g}, or seabed, where it is an anchor" + (
+                "; raise_to_seabed (--raise-to-seabed) puts it there" if raised else ""
+            )
+            where = " of the depth grid" if env.bathymetry else ""
+            message = f"anchor (fixed point {point.id}) stands {z + depth:.3g} m over the seabed{where}"
+            found.append(Problem(message, remedy, point.source, z))
+    return found
 
 
 def is_inside(grid: Bathymetry, x: float, y: float) -> bool:

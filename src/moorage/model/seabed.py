@@ -22,9 +22,9 @@ def below_seabed(point: Point, environment: Environment) -> float:
 
 
 def above_seabed(point: Point, environment: Environment) -> float:
-    """Return how far (m) a fixed point stands over a depth grid, 0 when it stands on it or is no anchor.
+    """Return how far (m) a fixed point stands over a depth grid, 0 when it stands on it or too high to be put on it.
 
-    Over a flat seabed this is nothing to doubt: its depth is in sight of the point's z.
+    Over a flat seabed its depth is in sight of the point's z, so that nothing is moved there.
     """
     if point.kind != "fixed" or point.body is not None or point.on_seabed or environment.bathymetry is None:
         return 0.0

@@ -25,7 +25,8 @@ def read_moordyn(path: str | Path, defaults: Environment | None = None, raise_to
     defaults : Environment, optional
         Gravity, density and depth where the file does not give them (a driver file's).
     raise_to_seabed : bool
-        Move fixed points that stand below the seabed up to it, instead of refusing them.
+        Put fixed points that stand below the seabed on it, instead of refusing them, and those that stand less than a
+        tenth of the depth over a depth grid.
     """
     path = Path(path)
     text = read_text(path, "model file")
