@@ -82,7 +82,8 @@ def control_of(settings: Settings, built: Built) -> Control:
         error=tolerance if adaptive else 1e30,
         rho=0.7,
         newton=25.0 * tolerance,
-        leftover=0.25 * tolerance * force_scales(built),
+        # the error estimate of adaptive steps sees what is left behind as well; a constant step has nothing else
+        leftover=(0.25 if adaptive else 0.05) * tolerance * force_scales(built),
         stretch=stretch_scales(built),
         iterations=10,
     )
