@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from moorage import io, plot, results
     from moorage._jit import is_cold
+    from moorage.clamp_doubts import backward_clamps
     from moorage.errors import (
         ConvergenceError,
         InputError,
@@ -56,6 +57,7 @@ _HOMES = {
     "Model": "model",
     "Motion": "io.motion",  # this module gives Motion its reader
     "Simulation": "run",
+    "backward_clamps": "clamp_doubts",
     "convert": "io",
     "envelope": "results",
     "is_cold": "_jit",
@@ -84,6 +86,7 @@ __all__ = [
     "Simulation",
     "SimulationError",
     "UnsupportedError",
+    "backward_clamps",
     "convert",
     "envelope",
     "io",

@@ -190,18 +190,18 @@ def check(file: ModelFile, raise_to_seabed: Raise = False) -> None:
     if model.unused_options:
         console.out.print("\noptions that are not used here", style="bold")
         console.fact_table({f"{o.name} {o.value}": o.reason for o in model.unused_options})
-    doubts = moorage.suspicious(model)
+    missing = moorage.unbuilt(model)
+    doubts = [*moorage.suspicious(model), *([] if missing else moorage.backward_clamps(model))]
     if doubts:
         console.out.print("\nhardly meant", style="bold yellow")
         for problem in doubts:
             console.out.print(str(problem), markup=False, soft_wrap=True)
-    missing = moorage.unbuilt(model)
     if missing:
         console.out.print("\nnot simulated yet", style="bold")
         for problem in missing:
             console.out.print(str(problem), markup=False, soft_wrap=True)
         raise typer.Exit(2)
-    console.out.print("\nno problems: this can be run", style="green")
+    console.out.print("\nthis can be run" if doubts else "\nno problems: this can be run", style="green")
 
 
 @app.command()

@@ -4,8 +4,10 @@ import warnings
 from pathlib import Path
 
 import pytest
+from moorings import clamp, fixed, held, kind, line, mooring
 
 import moorage
+import moorage.model.checks
 from moorage.errors import ModelError, ModelWarning
 from moorage.io import read
 
@@ -188,6 +190,33 @@ def test_moordyn_tables(joined, tmp_path, rows, message):
     with pytest.raises(ModelError, match=message) as caught:
         read(joined(("-1.0       1e4", "-1.0       bend.txt")))
     assert all(problem.source for problem in caught.value.problems)
+
+
+def test_a_line_on_the_wrong_end_of_its_clamp():
+    """Refused where it is too short to turn round; with a loop's length more it may."""
+    line_type = kind("cable", diameter=0.15, mass_per_length=40.0, bending_stiffness=1e4)
+
+    def model(end, length):
+        lines = [line(1, 1, held(rod, end), ("cable", length, 40))]
+        return mooring(line_type, [fixed(1, 60.0, 0.0, -80.0)], lines, [rod], water_depth=80.0)
+
+    rod = clamp(1, (0.0, 0.0, -10.0), (0.6, 0.0, -0.7))
+    distance = (60.0**2 + 70.0**2) ** 0.5
+    moorage.model.checks.check(model("B", distance + 1.0))
+    with pytest.raises(ModelError, match=r"line 1 is on the wrong end of rod 1: .* 180 degrees(.|\n)*end B of rod 1"):
+        moorage.model.checks.check(model("A", distance + 1.0))
+    moorage.model.checks.check(model("A", distance + 5.0 * 0.15 * 3.2))
+    rod = clamp(1, (0.0, 0.0, -10.0), (-0.3, 0.0, -1.0))  # down, and away from the anchor
+    for length in (1.001 * distance, 2.0 * distance):
+        moorage.model.checks.check(model("B", length))
+
+
+def test_check_tells_a_clamp_that_the_first_guess_leaves_backwards(native):
+    path, _ = native(("end_b: rod 1 B", "end_b: rod 1 A"))
+    (problem,) = moorage.backward_clamps(read(path))
+    assert "line 1 leaves the rod that clamps its end B at about 1" in problem.message
+    assert problem.source.file == str(path)
+    assert moorage.backward_clamps(read(EXAMPLE)) == []
 
 
 def test_joints_on_the_right_ends_are_read(joined):

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from itertools import pairwise
+from math import acos, dist, pi, sin
 from typing import Literal
 
 from moorage.errors import Problem, Source
 from moorage.model.components import Attachment, BendStiffener, Curve, Line
 from moorage.model.model import Model
+
+BACKWARDS = 150.0 * pi / 180.0
 
 
 def bends(model: Model, line: Line, end: Literal["A", "B"]) -> bool:
@@ -62,6 +65,63 @@ def directions_are_given(model: Model) -> Iterator[Problem]:
         if not rod.segments and not is_joint(model, rod.id) and rod.end_a == rod.end_b:
             message = f"rod {rod.id} has no length and its ends coincide, so that it has no direction"
             yield Problem(message, "put end B where the rod should point to, seen from end A", rod.source)
+
+
+def clamps_face_their_lines(model: Model) -> Iterator[Problem]:
+    """No line is so short that it cannot leave its clamp backwards and turn round: it is on the wrong end of the rod.
+
+    A curve of radius R that starts at the angle a to the straight way takes R (a - sin a) more than that way. Cables
+    bend to no less than five diameters, or to what their type allows.
+    """
+    for line in model.lines:
+        if not line.sections:
+            continue
+        for end, hold, far, spring in (
+            ("A", line.end_a, line.end_b, line.end_a_stiffness),
+            ("B", line.end_b, line.end_a, line.end_b_stiffness),
+        ):
+            here, there, direction = _place(model, hold), _place(model, far), _clamp_direction(model, hold)
+            if here is None or there is None or direction is None or spring == 0.0 or here == there:
+                continue
+            if not bends(model, line, "A" if end == "A" else "B"):
+                continue
+            way = tuple(b - a for a, b in zip(here, there, strict=True))
+            cosine = sum(u * v for u, v in zip(way, direction, strict=True)) / dist(here, there)
+            angle = acos(max(-1.0, min(1.0, cosine)))
+            slack = sum(section.length for section in line.sections) - dist(here, there)
+            if angle > BACKWARDS and slack < _tightest(model, line) * (angle - sin(angle)):
+                other = "B" if hold.end == "A" else "A"
+                message = (
+                    f"line {line.id} is on the wrong end of rod {hold.id}: there it leaves at {angle * 180.0 / pi:.0f} "
+                    "degrees to the way to its other end, and is too short to turn round"
+                )
+                yield Problem(message, f"tie it to end {other} of rod {hold.id}", line.source, str(hold))
+
+
+def _place(model: Model, hold: Attachment) -> tuple[float, float, float] | None:
+    """Return where a point or a rod of no length stands that is fixed or coupled by itself."""
+    if hold.kind == "point":
+        point = next((point for point in model.points if point.id == hold.id), None)
+        return point.position if point and point.kind != "free" and point.body is None else None
+    rod = next((rod for rod in model.rods if rod.id == hold.id), None)
+    held = rod is not None and rod.kind in ("fixed", "coupled") and rod.body is None and not rod.segments
+    return rod.end_a if rod is not None and held else None
+
+
+def _clamp_direction(model: Model, hold: Attachment) -> tuple[float, ...] | None:
+    """Return the unit vector along which a line leaves the end of a rod of no length."""
+    rod = next((rod for rod in model.rods if hold.kind == "rod" and rod.id == hold.id), None)
+    if rod is None or rod.segments or rod.end_a == rod.end_b:
+        return None
+    sign = (1.0 if hold.end == "B" else -1.0) / dist(rod.end_a, rod.end_b)
+    return tuple(sign * (b - a) for a, b in zip(rod.end_a, rod.end_b, strict=True))
+
+
+def _tightest(model: Model, line: Line) -> float:
+    """Return the smallest radius to which a line bends anywhere, m."""
+    used = {section.line_type.lower() for section in line.sections}
+    types = [t for t in model.line_types if t.name.lower() in used]
+    return min((max(t.minimum_bend_radius or 0.0, 5.0 * t.diameter) for t in types), default=0.0)
 
 
 def stiffeners_fit(model: Model) -> Iterator[Problem]:

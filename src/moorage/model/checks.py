@@ -12,6 +12,7 @@ from moorage.errors import ModelError, Problem, Source
 from moorage.model.bed_checks import anchors_are_on_the_grid, depths_are_positive, friction_is_possible, maps_are_grids
 from moorage.model.bed_doubts import anchors_over_the_bed, points_off_the_grid, weak_friction
 from moorage.model.cables import (
+    clamps_face_their_lines,
     directions_are_given,
     joints_are_joints,
     pinned_junctions,
@@ -364,6 +365,7 @@ CHECKS: tuple[Check, ...] = (
     carriers_exist,
     rods_have_length,
     directions_are_given,
+    clamps_face_their_lines,
     joints_are_joints,
     stiffeners_fit,
     springs_are_possible,
