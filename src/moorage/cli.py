@@ -135,6 +135,8 @@ def run(
     """Simulate a mooring in time; write a NetCDF file and a figure, and print a table."""
     if tolerance is not None and time_step is not None:
         raise typer.BadParameter("give --tolerance or --time-step, not both")
+    if output is not None and output.suffix != ".nc":
+        raise typer.BadParameter(f"a result is a NetCDF file; write {output}.nc", param_hint="-o")
     case = read_case(file, motion, duration, raise_to_seabed)
     target = Path(f"{file.stem}.nc") if output is None else output
     announce_compiling()

@@ -221,6 +221,8 @@ def test_raise_to_seabed_is_one_flag(moorage_, deck):
         (["run", MODEL, "--duration", "1", "--resume"], 2, "nothing to resume"),
         (["run", MODEL, "--duration", "1", "-o", "no/such/folder.nc"], 2, "cannot write"),
         (["run", MODEL, "--duration", "9", "--method", "rk2", "--time-step", "0.2"], 3, "results up to"),
+        (["run", MODEL, "--duration", "1", "-o", "picture.png"], 2, "write picture.png.nc"),
+        (["run", MODEL, "--duration", "1", "-o", "result"], 2, "write result.nc"),
         (["info", MODEL], 2, "cannot read"),
         (["plot", "nothing.nc"], 2, "does not exist"),
         (["nonsense"], 2, "No such command"),
