@@ -227,6 +227,16 @@ def test_a_wrong_depth_blames_no_points(deck, depth):
     assert [problem.source.line for problem in caught.value.problems] == [17]
 
 
+@pytest.mark.parametrize(
+    "change", [(POINT_2, POINT_2.replace("2 ", "1 ", 1)), (LINE, f"{LINE}\n{LINE}".replace("20  ", "5   "))]
+)
+def test_an_id_given_twice_is_one_problem(deck, change):
+    """Not also the ends and the channels that it leaves without an object."""
+    with pytest.raises(ModelError, match="is described twice") as caught:
+        read(deck(change))
+    assert len(caught.value.problems) == 1
+
+
 TABLES = {
     "rope.txt": (
         ("7.536e8", "rope.txt"),

@@ -39,8 +39,9 @@ def check(model: Model) -> None:
 
 
 def problems_of(model: Model) -> list[Problem]:
-    """Return everything that is wrong with a model."""
-    return [problem for function in CHECKS for problem in function(model)]
+    """Return everything that is wrong with a model; what names others is not judged until the names are right."""
+    left_out = REFERRING if any(names_are_unique(model)) else ()
+    return [problem for function in CHECKS if function not in left_out for problem in function(model)]
 
 
 def suspicious(model: Model) -> list[Problem]:
@@ -375,4 +376,14 @@ CHECKS: tuple[Check, ...] = (
     channels_exist,
     anchors_are_not_buried,
     anchors_are_on_the_grid,
+)
+
+REFERRING: tuple[Check, ...] = (
+    ends_exist,
+    carriers_exist,
+    clamps_face_their_lines,
+    joints_are_joints,
+    free_points_are_held,
+    events_name_what_exists,
+    channels_exist,
 )

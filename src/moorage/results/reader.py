@@ -17,7 +17,8 @@ def open_result(path: str | Path) -> xr.Dataset:
     try:
         ds = xr.open_dataset(path, engine="netcdf4")
     except (OSError, ValueError) as error:
-        raise ResultError(Problem(f"cannot read {path}: {error}", "give the .nc file that a run wrote")) from error
+        why = getattr(error, "strerror", None) or error
+        raise ResultError(Problem(f"cannot read {path}: {why}", "give the .nc file that a run wrote")) from error
     if "moorage_version" not in ds.attrs:
         ds.close()
         raise ResultError(Problem(f"{path} is no result of Moorage", "give the .nc file that a run wrote"))
