@@ -12,7 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
-from moorage.errors import ModelWarning, Source
+from moorage.errors import ModelWarning, MotionError, Source
 from moorage.io.moordyn.reader import read_moordyn
 from moorage.io.motion import read_motion
 from moorage.io.text import Findings, Row, read_text, rows
@@ -71,10 +71,13 @@ def read_driver(path: str | Path, raise_to_seabed: bool = False) -> DriverCase:
     mode, turbines = (_integer(values, name, found) for name in ("InputsMode", "NumTurbines"))
     if mode not in (0, 1):
         found.add("InputsMode must be 0 or 1", "1 reads InputsFile", values["InputsMode"].source, mode)
-    for name in ("MDInputFile", "InputsFile")[: 1 + (mode == 1)]:
-        _find_file(values, name, path.parent, found)
+    _find_file(values, "MDInputFile", path.parent, found)
+    motionless = Findings()
+    if mode == 1:
+        _find_file(values, "InputsFile", path.parent, motionless)
     offsets = _offsets(lines, max(1, turbines), found, Source(str(path)))
     found.raise_any()
+    motionless.raise_any(MotionError)
     environment = Environment(water_depth=numbers["WtrDpth"], gravity=numbers["Gravity"], water_density=numbers["rhoW"])
     model = read_moordyn(path.parent / values["MDInputFile"].words[0], environment, raise_to_seabed)
     if turbines == 0:
@@ -127,7 +130,7 @@ def _find_file(values: dict[str, Row], name: str, folder: Path, found: Findings)
     if not word:
         found.add(f"{name} is empty", f"name a {what} file", source)
     elif not os.path.exists(folder / word):  # unlike Path.exists, takes any name
-        message = f"{what} file of the driver file not found: tried {folder / word}"
+        message = f"{what} file not found: tried {folder / word}"
         found.add(message, "correct the name (relative to the driver file), or put the file there", source, word)
 
 
