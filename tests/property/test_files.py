@@ -41,6 +41,14 @@ def curves(draw):
 
 
 @st.composite
+def moment_curves(draw):
+    """From 0, 0 on, where a straight line has no moment."""
+    x = sorted(draw(st.lists(st.floats(1e-3, 10.0), min_size=1, max_size=4, unique=True)))
+    y = sorted(draw(st.lists(st.floats(1.0, 1e9), min_size=len(x), max_size=len(x), unique=True)))
+    return Curve((0.0, *x), (0.0, *y))
+
+
+@st.composite
 def line_types(draw, name):
     ratio = draw(st.none() | st.floats(1e-3, 2.0))
     return LineType(
@@ -50,7 +58,7 @@ def line_types(draw, name):
         axial_stiffness=draw(POSITIVE | curves()),
         axial_damping=0.0 if ratio else draw(NOT_NEGATIVE | curves()),
         axial_damping_ratio=ratio,
-        bending_stiffness=draw(st.just(0.0) | POSITIVE | curves()),
+        bending_stiffness=draw(st.just(0.0) | POSITIVE | moment_curves()),
         transverse_drag=draw(NOT_NEGATIVE),
         tangential_drag=draw(NOT_NEGATIVE),
         transverse_added_mass=draw(NOT_NEGATIVE),
