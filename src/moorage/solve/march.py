@@ -83,7 +83,7 @@ def control_of(settings: Settings, built: Built) -> Control:
         rho=0.7,
         newton=25.0 * tolerance,
         # the error estimate of adaptive steps sees what is left behind as well; a constant step has nothing else
-        leftover=(0.25 if adaptive else 0.05) * tolerance * force_scales(built),
+        leftover=(0.25 if adaptive else 0.1) * tolerance * force_scales(built),
         stretch=stretch_scales(built),
         iterations=10,
     )
