@@ -7,7 +7,7 @@ import time
 import numpy as np
 
 from benchmarks.cases import chains
-from moorage.run import Simulation
+from moorage.simulation import Simulation
 
 
 def run(job):

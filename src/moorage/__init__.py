@@ -35,7 +35,8 @@ if TYPE_CHECKING:
     from moorage.model.checks import suspicious
     from moorage.model.unbuilt import unbuilt
     from moorage.results import envelope, line, open_result
-    from moorage.run import Simulation, simulate, solve_statics, warmup
+    from moorage.run import simulate, solve_statics, warmup
+    from moorage.simulation import Simulation
 
     __version__: str
 
@@ -56,7 +57,7 @@ _HOMES = {
     **dict.fromkeys(_ERRORS, "errors"),
     "Model": "model",
     "Motion": "io.motion",  # this module gives Motion its reader
-    "Simulation": "run",
+    "Simulation": "simulation",
     "backward_clamps": "clamp_doubts",
     "convert": "io",
     "envelope": "results",

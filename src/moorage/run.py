@@ -13,11 +13,10 @@ import numpy as np
 import xarray as xr
 
 from moorage._jit import mark_warm
+from moorage.accept import accept, check_settings
 from moorage.at_rest import records_at_rest, static_tensions
-from moorage.errors import InputError, ModelWarning, Problem, SimulationError, UnsupportedError
+from moorage.errors import ModelWarning, SimulationError
 from moorage.model import Attachment, Environment, Line, LineType, Model, Motion, OutputChannel, Point, Section
-from moorage.model.checks import check, suspicious
-from moorage.model.unbuilt import refuse_unbuilt
 from moorage.results import (
     Checkpoint,
     Layout,
@@ -38,14 +37,13 @@ from moorage.results import (
     warn_of_tight_bends,
     watch_list,
 )
+from moorage.simulation import Simulation
 from moorage.solve.clamps import warn_of_clamps
-from moorage.solve.host import HostMarch
-from moorage.solve.march import Block, March, Settings, default_tolerance
+from moorage.solve.march import March, Settings, default_tolerance
 from moorage.solve.statics import rest, solve
 from moorage.solve.stiffness import platform_stiffness
 from moorage.streaming import Progress, stream
 from moorage.system.build import Built, build, build_failures
-from moorage.system.holders import timed_failures
 
 VERSION = version("moorage")
 
@@ -67,7 +65,7 @@ def solve_statics(model: Model) -> xr.Dataset:
     ConvergenceError
         No equilibrium was found.
     """
-    _accept(model)
+    accept(model)
     built = build(model)
     equilibrium = solve(built)
     warn_of_clamps(built)
@@ -154,8 +152,8 @@ def simulate(
         "start": model.start if start is None else start,
         "save": save,
     }
-    _check_settings(chosen, resume, output)
-    _accept(model)
+    check_settings(chosen, resume, output)
+    accept(model)
     warn_of_repetition(model.environment.waves, duration)
     settings = _settings(model, chosen)
     rows = _rows(duration, settings)
@@ -199,87 +197,6 @@ def simulate(
     return result
 
 
-class Simulation:
-    """A mooring inside another program, which moves the coupled points and receives the forces on them.
-
-    Parameters
-    ----------
-    model : Model
-    tolerance, time_step, method
-        As for `simulate`.
-
-    Attributes
-    ----------
-    points : (m,) int
-        Ids of the coupled points, in the order of all arrays here.
-
-    Examples
-    --------
-    >>> sim = moorage.Simulation(model)                      # doctest: +SKIP
-    >>> forces = sim.initialize()                            # doctest: +SKIP
-    >>> state = sim.save()                                   # doctest: +SKIP
-    >>> forces = sim.step(0.1, position, velocity)           # doctest: +SKIP
-    >>> sim.restore(state)  # to try the step again          # doctest: +SKIP
-    """
-
-    def __init__(
-        self,
-        model: Model,
-        *,
-        tolerance: float | None = None,
-        time_step: float | None = None,
-        method: Literal["implicit", "rk2", "rk4"] = "implicit",
-    ):
-        chosen = {"tolerance": tolerance, "time_step": time_step}
-        _check_settings({**chosen, "method": method}, False, None)
-        _accept(model)
-        _only_points_are_coupled(model)
-        if timed_failures(model):
-            raise UnsupportedError(Problem("failures come in simulate() only", "remove them", model.failures[0].source))
-        self.model = model
-        built = build(model)
-        self.points = built.names.points[built.coupled]
-        self._host = HostMarch(built, Settings(method=method, **chosen))  # type: ignore[arg-type]
-
-    @property
-    def time(self) -> float:
-        """Time of the state, s."""
-        return self._host.time
-
-    @property
-    def position(self) -> np.ndarray:
-        """Positions of the coupled points, (m, 3), m."""
-        return self._host.position.copy()
-
-    def initialize(self, position=None, velocity=None) -> np.ndarray:
-        """Start at time 0 and return the forces of the mooring on the coupled points, (m, 3), N.
-
-        Parameters
-        ----------
-        position, velocity : (m, 3) array, optional
-            Of the coupled points, m and m/s; by default as described, at rest.
-        """
-        return self._host.initialize(position, velocity, self.model.start == "static")
-
-    def step(self, time: float, position, velocity) -> np.ndarray:
-        """Advance to `time` (s), where the coupled points are at `position` with `velocity`; return the forces.
-
-        Parameters
-        ----------
-        position, velocity : (m, 3) array
-            m and m/s; on the way the points follow the cubic between the two ends.
-        """
-        return self._host.step(time, position, velocity)
-
-    def save(self) -> Block:
-        """Return the whole state as arrays."""
-        return self._host.save()
-
-    def restore(self, saved: Block) -> None:
-        """Go back to a saved state, bit for bit."""
-        self._host.restore(saved)
-
-
 def warmup() -> float:
     """Compile all kernels, so that the next process starts at once; return the wall time, s."""
     begin = time.perf_counter()
@@ -304,54 +221,10 @@ def warmup() -> float:
     return time.perf_counter() - begin
 
 
-def _accept(model: Model) -> None:
-    """Refuse a model that is wrong or asks for what is not built, and warn of what looks like a mistake."""
-    check(model)
-    refuse_unbuilt(model)
-    if model.unused_options:
-        names = ", ".join(option.name for option in model.unused_options)
-        warnings.warn(f"{model.file}: options that are not used here: {names}", ModelWarning, stacklevel=3)
-    for problem in suspicious(model):
-        warnings.warn(str(problem), ModelWarning, stacklevel=3)
-
-
 def friction_in_statics(model: Model) -> dict[str, str]:
     """Return what statics know of friction, for the record; nothing where there is none."""
     friction = model.environment.friction
     return {} if friction is None else {"friction_in_statics": "as laid" if friction.laid else "off"}
-
-
-def _only_points_are_coupled(model: Model) -> None:
-    things = [("body", body) for body in model.bodies if body.kind == "coupled"]
-    things += [("rod", rod) for rod in model.rods if rod.kind == "coupled"]  # type: ignore[misc]
-    problems = [
-        Problem(f"{kind} {thing.id} is coupled; hosts move points only", "use simulate() with a motion", thing.source)
-        for kind, thing in things
-    ]
-    if problems:
-        raise UnsupportedError(problems)
-
-
-def _check_settings(chosen: dict[str, object], resume: bool, output: object) -> None:
-    problems = []
-    for name in ("duration", "dt_out", "dt_nodes", "tolerance", "time_step"):
-        value = chosen.get(name)
-        if value is not None and not (isinstance(value, int | float) and 0.0 < value < np.inf):
-            problems.append(Problem(f"{name} must be a positive number", "correct it", value=value))
-    for name, words in (
-        ("method", ("implicit", "rk2", "rk4")),
-        ("start", ("static", "as-given")),
-        ("save", ("all", "tensions")),
-    ):
-        if name in chosen and chosen[name] not in words:
-            problems.append(Problem(f"{name} is not known", f"use {' or '.join(words)}", value=chosen[name]))
-    if chosen["method"] in ("rk2", "rk4") and chosen["time_step"] is None:
-        remedy = "give time_step (--time-step), or use the implicit method"
-        problems.append(Problem(f"method {chosen['method']} needs a time step", remedy))
-    if resume and output is None:
-        problems.append(Problem("there is nothing to resume without a result file", "give output (-o)"))
-    if problems:
-        raise InputError(problems)
 
 
 def _settings(model: Model, chosen: dict) -> Settings:

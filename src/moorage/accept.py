@@ -1,0 +1,46 @@
+"""What a run looks at before it begins: the model and the settings."""
+
+from __future__ import annotations
+
+import warnings
+
+import numpy as np
+
+from moorage.errors import InputError, ModelWarning, Problem
+from moorage.model import Model
+from moorage.model.checks import check, suspicious
+from moorage.model.unbuilt import refuse_unbuilt
+
+
+def accept(model: Model) -> None:
+    """Refuse a model that is wrong or asks for what is not built, and warn of what looks like a mistake."""
+    check(model)
+    refuse_unbuilt(model)
+    if model.unused_options:
+        names = ", ".join(option.name for option in model.unused_options)
+        warnings.warn(f"{model.file}: options that are not used here: {names}", ModelWarning, stacklevel=3)
+    for problem in suspicious(model):
+        warnings.warn(str(problem), ModelWarning, stacklevel=3)
+
+
+def check_settings(chosen: dict[str, object], resume: bool, output: object) -> None:
+    """Refuse settings of a run that mean nothing, all in one error."""
+    problems = []
+    for name in ("duration", "dt_out", "dt_nodes", "tolerance", "time_step"):
+        value = chosen.get(name)
+        if value is not None and not (isinstance(value, int | float) and 0.0 < value < np.inf):
+            problems.append(Problem(f"{name} must be a positive number", "correct it", value=value))
+    for name, words in (
+        ("method", ("implicit", "rk2", "rk4")),
+        ("start", ("static", "as-given")),
+        ("save", ("all", "tensions")),
+    ):
+        if name in chosen and chosen[name] not in words:
+            problems.append(Problem(f"{name} is not known", f"use {' or '.join(words)}", value=chosen[name]))
+    if chosen["method"] in ("rk2", "rk4") and chosen["time_step"] is None:
+        remedy = "give time_step (--time-step), or use the implicit method"
+        problems.append(Problem(f"method {chosen['method']} needs a time step", remedy))
+    if resume and output is None:
+        problems.append(Problem("there is nothing to resume without a result file", "give output (-o)"))
+    if problems:
+        raise InputError(problems)
