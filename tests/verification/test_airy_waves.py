@@ -11,11 +11,13 @@ A vertical taut line without weight, held at both ends, in a small wave: its end
 
     0.5 rho Cd d |u| u + rho A (1 + Ca) du/dt
 
-over the span, weighted to the ends as a beam on two supports would. Lumping is the trapezoidal rule, of second order;
-60 segments on 60 m of water must give the sum over the nodes to 1e-4.
+over the span, weighted to the ends as a beam on two supports would, summed over the nodes just as lumping does. Tension
+holds the pole to 0.1 mm. 1e-3 of the largest force is asked, 5.5e-4 measured (records every 0.25 s lie between steps of
+0.02 s). An added mass of 0.8 instead of 1 must fail.
 
 A node that floats and is small follows the particle of water: in a wave of small steepness its path over a period is
-the ellipse A cosh k(z + h) / sinh kh by A sinh k(z + h) / sinh kh, plus a drift of second order.
+the ellipse A cosh k(z + h) / sinh kh by A sinh k(z + h) / sinh kh. Stokes' drift in a period, (k A)^2 c T exp(-2 k d),
+is 7 mm here, 5 % of it: what is allowed.
 """
 
 from __future__ import annotations
@@ -141,11 +143,10 @@ def pole_forces(wave: Waves, ca: float) -> tuple[np.ndarray, np.ndarray]:
 def check_pole(ca: float) -> None:
     found, closed = pole_forces(Waves.regular(1.0, 9.0, depth=60.0, ramp=4.0), ca)
     late = slice(20, None)
-    assert np.abs(found - closed)[late].max() < 5e-3 * np.abs(closed).max()
+    assert np.abs(found - closed)[late].max() < 1e-3 * np.abs(closed).max()
 
 
 def test_force_on_a_pole():
-    """What the pole's own swing adds (it yields by 3 mm) is 5e-3 of the force."""
     check_pole(1.0)
 
 

@@ -130,6 +130,8 @@ def _waves(values: Values, folder: Path, found: Findings) -> Waves | None:
         "gravity": values.get("gravity", plain.gravity),
         "density": values.get("water_density", plain.water_density),
     }
+    if not min(water["depth"], water["gravity"]) > 0.0:
+        return None  # the checks of the environment tell
     if "file" in asked:
         return sea_of_file(asked, folder, water, found)
     if "spectrum" in asked:
