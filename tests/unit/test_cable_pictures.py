@@ -58,10 +58,10 @@ def test_figure_of_a_cable_has_profile_tension_and_curvature(run):
     assert over_time.get_ylabel() == "hang-off tension (kN)"
     assert profile.get_xlabel() == "distance from the hang-off (m)"
     assert texts(profile) == ["static", "during the run", "touchdown"]
-    assert texts(tension) == ["extremes", "mean", "static"]
+    assert texts(tension) == ["thicker", "extremes", "mean", "static"]
     assert (tension.get_ylabel(), curvature.get_ylabel()) == ("tension (kN)", "curvature (1/m)")
     np.testing.assert_allclose(curvature.get_xlim(), (0.0, 230.0))
-    assert [text.get_text() for text in curvature.texts] == ["allowed: 0.4 1/m (radius 2.5 m)"]
+    assert [text.get_text() for text in curvature.texts] == ["allowed: 0.4 1/m, off the scale (radius 2.5 m)"]
 
 
 def test_a_chain_of_cables_is_drawn_as_one(chain):

@@ -58,7 +58,9 @@ def _shade(ds: xr.Dataset, cable: Cable, ax: Axes) -> None:
     thick = np.concatenate([[False], diameter > 1.02 * diameter.min(), [False]])
     starts, stops = np.flatnonzero(np.diff(thick.astype(int)) > 0), np.flatnonzero(np.diff(thick.astype(int)) < 0) - 1
     for a, b in zip(starts, stops, strict=True):
-        ax.axvspan(cable.middles[a] - half[a], cable.middles[b] + half[b], color=QUIET, alpha=0.15, lw=0, zorder=0)
+        span = cable.middles[a] - half[a], cable.middles[b] + half[b]
+        label = "thicker" if a == starts[0] else None
+        ax.axvspan(*span, color=QUIET, alpha=0.15, lw=0, zorder=0, label=label)
 
 
 def _limit(ds: xr.Dataset, cable: Cable, ax: Axes) -> None:
@@ -72,5 +74,5 @@ def _limit(ds: xr.Dataset, cable: Cable, ax: Axes) -> None:
         ax.set_ylim(top=1.1 * max(float(np.nanmin(allowed)), ax.get_ylim()[1] / 1.1))
     else:
         ax.set_ylim(top=1.15 * ax.get_ylim()[1])  # room for the note
-        text = f"allowed: {np.nanmin(allowed):.3g} 1/m (radius {radius.max():g} m)"
+        text = f"allowed: {np.nanmin(allowed):.3g} 1/m, off the scale (radius {radius.max():g} m)"
         ax.text(0.99, 0.97, text, transform=ax.transAxes, ha="right", va="top", fontsize=8, color=LIMIT)

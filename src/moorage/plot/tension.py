@@ -30,7 +30,8 @@ def plot_tension(ds: xr.Dataset, ax: Axes, variable: str = "fairlead_tension") -
         ax.plot(time, values[:, k], color=colour, linewidth=width, label=names[k])
     plain(ax)
     ax.set_xlim(time[0], max(time[-1], time[0] + 1e-9))
-    ax.set_ylim(bottom=min(0.0, float(values.min())))
+    low, high = min(0.0, float(values.min())), float(values.max())
+    ax.set_ylim(low, high + 0.05 * max(high - low, 1e-3))  # room over a tension that does not change
     ax.set_xlabel("time (s)", fontsize=9)
     hangs = variable == "fairlead_tension" and only_cables(ds, ds["line"].values.tolist())
     ax.set_ylabel(f"{'hang-off tension' if hangs else variable.replace('_', ' ')} (kN)", fontsize=9)
