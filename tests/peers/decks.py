@@ -94,3 +94,11 @@ def write(deck: Deck, folder: Path, **options) -> Path:
         profile = ["--- steady current ---", "profile", "z (m), ux (m/s), uy (m/s), uz (m/s)", *deck.current]
         (folder / "current_profile.txt").write_text("\n".join(profile) + "\n")
     return path
+
+
+ROPE_IN_WAVES = Deck(
+    ("rope 0.15 30.0 2.0e6 -0.8 0 1.2 1.0 0.1 0.2",),
+    ("Fixed -40 10 -50 0 0 0 0", "Coupled 0 0 -6 0 0 0 0"),
+    ("rope 1 2 60 15",),
+    60.0,
+)

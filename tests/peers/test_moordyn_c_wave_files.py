@@ -18,12 +18,7 @@ from beside import needs, read
 
 pytestmark = needs("moordyn_c_nodes")
 
-ROPE = decks.Deck(
-    ("rope 0.15 30.0 2.0e6 -0.8 0 1.2 1.0 0.1 0.2",),
-    ("Fixed -40 10 -50 0 0 0 0", "Coupled 0 0 -6 0 0 0 0"),
-    ("rope 1 2 60 15",),
-    60.0,
-)
+ROPE = decks.ROPE_IN_WAVES
 OUT, PERIOD, DURATION = 0.1, 40.0, 6.0
 PLACES = np.array([[x, y, z] for x in (-30.0, 0.0, 10.0) for y in (0.0, 10.0) for z in (-40.0, -12.0)])
 GRID = "a\nb\nc\n1\n-40 -30 -20 -10 0 10\n1\n-10 0 10\n2\n-60 0 121\n"

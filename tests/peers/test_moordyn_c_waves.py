@@ -26,12 +26,7 @@ from moorage.system.build import build
 
 pytestmark = needs("moordyn_c_nodes")
 
-ROPE = decks.Deck(
-    ("rope 0.15 30.0 2.0e6 -0.8 0 1.2 1.0 0.1 0.2",),
-    ("Fixed -40 10 -50 0 0 0 0", "Coupled 0 0 -6 0 0 0 0"),
-    ("rope 1 2 60 15",),
-    60.0,
-)
+ROPE = decks.ROPE_IN_WAVES
 STEP, OUT, DURATION, SETTLED = 0.001, 0.1, 50.0, 30.0
 SEA = np.array([[0.45, 0.5, 0.7, 0.0], [0.6, 1.2, -1.1, 0.3], [0.83, -0.8, 0.4, -0.5], [1.3, 0.2, 0.3, 1.2]])
 
