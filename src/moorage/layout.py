@@ -10,9 +10,14 @@ points do. A line owns both its end nodes; they copy the point that they hold on
 that point (whose own row is then not used). Lines that share free points form an island; islands do not see each other,
 and each takes steps of its own size.
 
-Elimination leaves the *boundary* of a line: an end node on a free point, and next to a joint of two cables also the
-node beside it, because the joint's hinge reaches that far. Free points and those nodes are the unknown 3-vectors of
-the junction system of an island.
+Elimination leaves the *boundary* of a line: an end node on a free point, and next to a joint of two cables, or to a
+rod or body that clamps it and turns, also the node beside it, because the hinge reaches that far. Free points and those
+nodes are the unknown 3-vectors of the junction system of an island.
+
+Rods and bodies that move by the forces on them are *objects*: two rows each after the points and ends of rods, for
+translation and rotation, and as many unknown 3-vectors. What rides on an object follows it: points, ends of rods, and
+the nodes of rods. A rod is a *rigid* line: its nodes stand behind those of the lines, they feel weight, water and
+seabed like any other, and nothing is stretched between them.
 """
 
 from __future__ import annotations
@@ -29,6 +34,7 @@ from moorage.physics.friction import Friction
 from moorage.physics.morison import Morison
 from moorage.physics.motion import Tracks
 from moorage.physics.point import PointLoads
+from moorage.physics.rigid import RigidLoads
 from moorage.physics.sea import RECORD, Sea
 from moorage.physics.sea_table import FIELDS, TERMS
 from moorage.physics.tension import Tension
@@ -36,7 +42,7 @@ from moorage.physics.weight import Weight
 
 
 class Lines(NamedTuple):
-    """Topology of the lines."""
+    """Topology of the lines, then of the rods as rigid lines."""
 
     node_ptr: np.ndarray  # (lines + 1,)
     end_point: np.ndarray  # (lines, 2) point at end A and at end B
@@ -54,7 +60,12 @@ class Islands(NamedTuple):
     point_ptr: np.ndarray  # (islands + 1,)
     points: np.ndarray  # (free points,)
     joint_ptr: np.ndarray  # (islands + 1,)
-    unknown_ptr: np.ndarray  # (islands + 1,) unknown 3-vectors: the free points first
+    object_ptr: np.ndarray  # (islands + 1,)
+    objects: np.ndarray  # (objects,) rods that are pinned to bodies before the bodies
+    object_row: np.ndarray  # (objects,) row of the translation of each of these; that of the rotation follows
+    riders: np.ndarray  # (islands,) how many of the points, the first ones, ride on objects
+    rides: np.ndarray  # (islands,) bool: has objects or rods
+    unknown_ptr: np.ndarray  # (islands + 1,) unknown 3-vectors: points, nodes beside joints and clamps, objects
     unknown_row: np.ndarray  # (unknowns,) their state rows
     matrix_ptr: np.ndarray  # (islands + 1,) offsets of the junction matrices
 
@@ -69,12 +80,31 @@ class Joints(NamedTuple):
     table: np.ndarray  # (joints,) table of moment, -1: constant EI
 
 
+FLEXIBLE, HELD = -1, -2  # entries of Riders.of_line other than objects: a real line; a rod whose motion is prescribed
+
+
+class Riders(NamedTuple):
+    """Objects (rods and bodies that forces move), and what rides on them, in their own axes."""
+
+    row: np.ndarray  # (objects,) of the translation; that of the rotation follows
+    pin: np.ndarray  # (objects,) point or rod end that the reference point follows, -1: it is free
+    translation: np.ndarray  # (objects,) number of that unknown; a rider's, where pinned to one; -1: prescribed
+    rotation: np.ndarray  # (objects,) number of that unknown
+    of_point: np.ndarray  # (points,) object that carries the point or rod end, -1
+    arm: np.ndarray  # (points, 3) from the reference point, m
+    of_line: np.ndarray  # (lines,) object of a rigid line, FLEXIBLE or HELD
+    span: np.ndarray  # (lines, 2, 3) ends of rigid lines, m
+    of_clamp: np.ndarray  # (lines, 2) object that clamps the line's end, -1
+    clamp: np.ndarray  # (lines, 2, 3) direction in which it points into the line
+
+
 class System(NamedTuple):
     """All parameters; one compiled signature serves every model."""
 
     lines: Lines
     islands: Islands
     joints: Joints
+    riders: Riders
     tension: Tension
     bending: Bending
     weight: Weight
@@ -82,13 +112,18 @@ class System(NamedTuple):
     contact: Contact
     friction: Friction
     points: PointLoads
+    rigid: RigidLoads
     current: Current
     sea: Sea
     tracks: Tracks
 
 
 class State(NamedTuple):
-    """Motion of all rows at one time."""
+    """Motion of all rows at one time.
+
+    Rows of rotation: the rotation vector since `base` (rad), angular velocity (rad/s) and acceleration (rad/s2), all in
+    axes of the object.
+    """
 
     position: np.ndarray  # (rows, 3) m
     velocity: np.ndarray  # (rows, 3) m/s
@@ -96,6 +131,11 @@ class State(NamedTuple):
     auxiliary: np.ndarray  # (rows, 3) m/s2, the averaged acceleration of Arnold and Bruls
     stuck: np.ndarray  # (rows, 3) m, where friction holds a node on the seabed; its position when it is off the bed
     water: np.ndarray  # (rows, 7) elevation of the surface, m; velocity, m/s, and acceleration of the water, m/s2
+    attitude: np.ndarray  # (objects, 9) rotation from an object's axes to global ones
+    base: np.ndarray  # (objects, 9) the rotation at the start of the step
+
+
+OF_OBJECTS = ("attitude", "base")  # fields of the state that have a row for each object, not for each row
 
 
 class Table(NamedTuple):
@@ -143,9 +183,16 @@ class Weights(NamedTuple):
     stiffness: float
 
 
-def new_state(rows) -> State:
-    """Return a state of zeros."""
-    return State(*(np.zeros((rows, FIELDS if name == "water" else 3)) for name in State._fields))
+def rows_of(system: System) -> int:
+    """Return the number of rows of the state."""
+    return int(system.lines.node_ptr[-1]) + len(system.points.mass) + 2 * len(system.riders.row)
+
+
+def new_state(rows: int, objects: int) -> State:
+    """Return a state of zeros, with objects upright."""
+    width = {"water": FIELDS}
+    moving = {name: np.zeros((rows, width.get(name, 3))) for name in State._fields if name not in OF_OBJECTS}
+    return State(**moving, **{name: np.tile(np.eye(3).ravel(), (objects, 1)) for name in OF_OBJECTS})
 
 
 def copy_of(state: State) -> State:
@@ -165,13 +212,13 @@ def new_table(system: System, rows: int) -> Table:
 
 def new_work(system: System) -> Work:
     """Return scratch space for a system."""
-    rows = int(system.lines.node_ptr[-1]) + len(system.points.mass)
+    rows = rows_of(system)
     blocks = Blocks(
         np.zeros((rows, 6)), np.zeros((rows, 9)), np.zeros((rows, 9)), np.zeros((rows, 9)), np.zeros((rows, 9)),
         np.zeros((len(system.joints.rule), 9)),
     )  # fmt: skip
     return Work(
-        new_state(rows),
+        new_state(rows, len(system.riders.row)),
         new_table(system, rows),
         blocks,
         np.zeros((rows, 3)),

@@ -22,20 +22,6 @@ def unbuilt(model: Model) -> list[Problem]:
     return [problem for feature in UNBUILT for problem in feature(model)]
 
 
-def _moving_rods(model: Model) -> Iterator[Problem]:
-    for rod in model.rods:
-        if rod.kind in ("pinned", "coupled-pinned") or (rod.kind == "free" and rod.body is None and rod.segments):
-            message = f"rod {rod.id}: {rod.kind} rods are not simulated yet"
-            yield Problem(message, "make it fixed, coupled or carried by a body, or give it no length", rod.source)
-
-
-def _moving_bodies(model: Model) -> Iterator[Problem]:
-    for body in model.bodies:
-        if body.kind not in ("fixed", "coupled"):
-            message = f"body {body.id}: {body.kind} bodies are not simulated yet"
-            yield Problem(message, "make it fixed, or coupled and moved by a motion", body.source)
-
-
 def _joints(model: Model) -> Iterator[Problem]:
     for rod in model.rods:
         if rod.kind == "free" and not rod.segments and len(stiff_ends(model, rod.id)) > 2:
@@ -116,8 +102,6 @@ def _channels(model: Model) -> Iterator[Problem]:
 
 
 UNBUILT: tuple[Callable[[Model], Iterator[Problem]], ...] = (
-    _moving_rods,
-    _moving_bodies,
     _joints,
     _turbines,
     _viscoelastic,

@@ -45,6 +45,18 @@ def wet_part(p, i, j0, share0, j1, share1):
 
 
 @inlined
+def wet_end(p, i, share):
+    """The same of the end of a line or rod of whose half segment, and face, a share is wet."""
+    return (
+        share * p.node[i, 0],
+        share * p.node[i, 1],
+        share * p.node[i, 2],
+        share * p.node[i, 3],
+        share * p.node[i, 4],
+    )
+
+
+@inlined
 def inertia_terms(normal, axial, q, a, c):
     """Force -M a on a node of transverse and axial mass (kg), and its block c.mass M.
 

@@ -7,24 +7,31 @@ import math
 import numpy as np
 
 from moorage._jit import inlined, kernel
-from moorage._vec3 import add, cross, dot, get, scale, sub, unit
+from moorage._vec3 import add, cross, dot, get, mat_get, mat_times, scale, sub, unit
 from moorage.layout import line_nodes
 from moorage.physics.bending import PINNED, bend, end_hinge, node_hinge
 from moorage.physics.motion import follow
 from moorage.system.assemble import joint_hinge, joint_nodes
+from moorage.system.ride import vector
 
 ZERO3 = (0.0, 0.0, 0.0)
 
 
 @inlined
-def clamp_direction(system, line, end, t):
-    """Direction in which the object at a clamped end points into the line at time t."""
-    return unit(follow(system.tracks, system.bending.direction[line, end], t)[0])
+def clamp_direction(system, old, now, s, line, end, t):
+    """Direction in which the object at a clamped end points into the line at time t, the fraction s of a step."""
+    o = system.riders.of_clamp[line, end]
+    if o < 0:
+        return unit(follow(system.tracks, system.bending.direction[line, end], t)[0])
+    d = vector(system.riders.clamp, line, end)
+    before, after = mat_times(mat_get(old.attitude, o), d), mat_times(mat_get(now.attitude, o), d)
+    return unit(add(scale(1.0 - s, before), scale(s, after)))
 
 
 @inlined
-def end_bending(system, position, line, end, t):
+def end_bending(system, state, line, end, t):
     """Force (N) and moment (N m) of a line's bending on the object at its end."""
+    position = state.position
     first, last = line_nodes(system.lines, line)
     node, beside, far = (first, first + 1, first + 2) if end == 0 else (last, last - 1, last - 2)
     force, moment = ZERO3, ZERO3
@@ -34,7 +41,7 @@ def end_bending(system, position, line, end, t):
         G = node_hinge(system.bending, np.uintp(beside), bent[4])[0]
         force = scale(-G * bent[0], bent[5])
     if system.bending.rule[line, end] != PINNED:
-        d = clamp_direction(system, line, end, t)
+        d = clamp_direction(system, state, state, 1.0, line, end, t)
         u = 1.0 / math.sqrt(dot(e, e))
         q = scale(u, e)
         c = dot(q, d)
@@ -45,7 +52,7 @@ def end_bending(system, position, line, end, t):
 
 
 @inlined
-def node_bending(system, position, line, i, t):
+def node_bending(system, old, now, s, position, line, i, t):
     """Curvature (1/m) and bending moment (N m) at a node; zero at pinned ends."""
     first, last = line_nodes(system.lines, line)
     p, length = system.bending, system.tension.length
@@ -59,7 +66,7 @@ def node_bending(system, position, line, i, t):
     if p.rule[line, end] == PINNED:
         return 0.0, 0.0
     beside, j = (first + 1, first - line) if end == 0 else (last - 1, last - 1 - line)
-    c = dot(unit(sub(get(position, beside), get(position, i))), clamp_direction(system, line, end, t))
+    c = dot(unit(sub(get(position, beside), get(position, i))), clamp_direction(system, old, now, s, line, end, t))
     moment = end_hinge(p, np.uintp(i), p.rule[line, end], c)[0] * math.sqrt(max(1.0 - c * c, 0.0))
     return 2.0 * moment / (p.before[i] * length[j]), moment
 

@@ -28,7 +28,7 @@ def clamp_angles(built: Built) -> list[ClampAngle]:
     found = []
     for line, end in np.argwhere(bending.rule != PINNED):
         node, beside = (rows[line], rows[line] + 1) if end == 0 else (rows[line + 1] - 1, rows[line + 1] - 2)
-        e, d = position[beside] - position[node], built.system.tracks.rest[bending.direction[line, end]]
+        e, d = position[beside] - position[node], built.work.direction[line, end]
         cosine = float(e @ d / np.sqrt((e @ e) * (d @ d)))
         found.append(ClampAngle(int(built.names.lines[line]), "AB"[end], float(np.arccos(np.clip(cosine, -1.0, 1.0)))))
     return found

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from moorage._jit import inlined, kernel
-from moorage._vec3 import accumulate, add, dot, get, put, scale
+from moorage._vec3 import accumulate, add, dot, get, mat_get, mat_put, put, scale
 from moorage.layout import line_nodes, point_row
+from moorage.physics.rigid import turning_rate
 from moorage.solve.implicit import set_accelerations, stick_island
+from moorage.system.ride import begin_turning
 
 ZERO3 = (0.0, 0.0, 0.0)
 FASTEST = 1e5  # m/s; a run that gets there has blown up
@@ -28,6 +30,7 @@ def explicit_step(system, now, trial, work, island, t, h, order):
             begin_row(now, trial, stage, i)
     for p in range(p0, p1):
         begin_row(now, trial, stage, point_row(lines, islands.points[p]))
+    begin_objects(islands, now, trial, stage, island)
     for s in range(stages):
         node, weight = tableau(order, s)
         ahead = tableau(order, s + 1)[0] if s + 1 < stages else 0.0
@@ -38,6 +41,7 @@ def explicit_step(system, now, trial, work, island, t, h, order):
                 stage_row(now, trial, stage, i, h * weight, h * ahead)
         for p in range(p0, p1):
             stage_row(now, trial, stage, point_row(lines, islands.points[p]), h * weight, h * ahead)
+        stage_objects(islands, now, trial, stage, island, h * weight, h * ahead)
     set_accelerations(system, trial, work, island, t + h)
     stick_island(system, now, trial, work.held, island)
     fastest, where = 0.0, -1
@@ -83,3 +87,29 @@ def stage_row(now, trial, stage, i, weight, ahead):
     accumulate(trial.velocity, i, scale(weight, a))
     put(stage.position, i, add(get(now.position, i), scale(ahead, v)))
     put(stage.velocity, i, add(get(now.velocity, i), scale(ahead, a)))
+
+
+@kernel
+def begin_objects(islands, now, trial, stage, island):
+    """Begin a step of the objects of an island; rotations count from now on."""
+    begin_turning(islands, now, island)
+    for k in range(islands.object_ptr[island], islands.object_ptr[island + 1]):
+        o, row = islands.objects[k], islands.object_row[k]
+        mat_put(trial.base, o, mat_get(now.base, o))
+        mat_put(stage.base, o, mat_get(now.base, o))
+        begin_row(now, trial, stage, row)
+        begin_row(now, trial, stage, row + 1)
+
+
+@kernel
+def stage_objects(islands, now, trial, stage, island, weight, ahead):
+    """Do `stage_row` for objects; a rotation vector grows at `turning_rate`."""
+    for k in range(islands.object_ptr[island], islands.object_ptr[island + 1]):
+        row = islands.object_row[k]
+        stage_row(now, trial, stage, row, weight, ahead)
+        i = row + 1
+        rate, alpha = turning_rate(get(stage.position, i), get(stage.velocity, i)), get(stage.acceleration, i)
+        accumulate(trial.position, i, scale(weight, rate))
+        accumulate(trial.velocity, i, scale(weight, alpha))
+        put(stage.position, i, scale(ahead, rate))
+        put(stage.velocity, i, add(get(now.velocity, i), scale(ahead, alpha)))

@@ -34,7 +34,8 @@ class HostMarch:
         self._tracks = Tracks(track, built.system.tracks.rest.copy(), np.array([0.0, 1.0]), np.zeros((m, 1, 3, 4)))
         row = np.full(len(track), m)  # all other holders share one row, which nobody looks at
         row[coupled] = np.arange(m)
-        self._component = (3 * row[built.system.lines.end_point.ravel(), None] + np.arange(3)).ravel()
+        self._lines = len(built.names.lines)
+        self._component = (3 * row[built.system.lines.end_point[: self._lines].ravel(), None] + np.arange(3)).ravel()
         self._record = new_record(built.system, np.zeros(1), np.zeros(0), np.zeros((0, 2), dtype=np.int64))
         self.built = with_motion(built, self._tracks)
         self.settings = settings or Settings()
@@ -129,6 +130,6 @@ class HostMarch:
         self._record.time[0] = time
         self._march.run(time, time, self._record)
         self._march.time = time
-        ends = self._record.lines[0, :, FORCE_A : FORCE_A + 6].ravel()
+        ends = self._record.lines[0, : self._lines, FORCE_A : FORCE_A + 6].ravel()
         m = len(self.position)
         return np.bincount(self._component, ends, 3 * m + 3)[: 3 * m].reshape(m, 3)

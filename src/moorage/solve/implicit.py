@@ -14,13 +14,14 @@ from typing import NamedTuple
 import numpy as np
 
 from moorage._jit import inlined, kernel
-from moorage._vec3 import add, dot, get, put, scale, sub
+from moorage._vec3 import add, dot, get, mat_get, mat_put, put, scale, sub
 from moorage.layout import Weights, line_nodes, point_row
 from moorage.physics.contact import contact_terms, near_bed
 from moorage.physics.friction import ELASTIC, NONE, SOIL, STICK_SLIP, remembers, stuck_after
 from moorage.solve.newton import assemble_island, newton_island, shift, solve_island
 from moorage.system.assemble import unit_or_zero
 from moorage.system.attach import attach
+from moorage.system.ride import begin_turning
 
 
 class Scheme(NamedTuple):
@@ -57,6 +58,17 @@ def predict_row(now, trial, i, k):
     put(trial.position, i, r1)
     put(trial.velocity, i, add(v0, add(scale(k.vv0, a0), scale(k.vv1, a1))))
     put(trial.acceleration, i, acc)
+
+
+@kernel
+def predict_objects(islands, now, trial, island, k):
+    """Set the rows of the objects of an island in the trial state; their rotations count from now on."""
+    begin_turning(islands, now, island)
+    for m in range(islands.object_ptr[island], islands.object_ptr[island + 1]):
+        o, row = islands.objects[m], islands.object_row[m]
+        mat_put(trial.base, o, mat_get(now.base, o))
+        predict_row(now, trial, row, k)
+        predict_row(now, trial, row + 1, k)
 
 
 @inlined
@@ -115,13 +127,14 @@ def implicit_step(system, now, trial, work, island, t, h, control):
                 predict_row(now, trial, i, k)
     for p in range(p0, p1):
         predict_row(now, trial, point_row(lines, islands.points[p]), k)
+    predict_objects(islands, now, trial, island, k)
     attach(system, trial, work, island, t + h)
     enough = newton_stop(control.newton, system.friction.law, fastest)
     converged, iterations, row, largest, part = False, 0, -1, 1e300, 1.0
     while iterations < control.iterations:
         newton_island(system, trial, now, work, island, c, t + h)
         before = largest
-        largest, row = shift(lines, islands, trial, work.increment, island, c.stiffness, c.damping, 1.0)
+        largest, row = shift(system, trial, work, island, c.stiffness, c.damping, 1.0)
         iterations += 1
         if not largest < 1e100:
             break
@@ -134,16 +147,8 @@ def implicit_step(system, now, trial, work, island, t, h, control):
         if remembers(system.friction) and largest > 0.7 * before:
             # a node jumps from slip one way to slip the other way and back: where it sticks lies between
             part *= 0.5
-            shift(
-                lines,
-                islands,
-                trial,
-                work.increment,
-                island,
-                (part - 1.0) * c.stiffness,
-                (part - 1.0) * c.damping,
-                part - 1.0,
-            )
+            back = part - 1.0
+            shift(system, trial, work, island, back * c.stiffness, back * c.damping, back)
     total, rows = 0.0, p1 - p0
     for m in range(l0, l1):
         first, last = line_nodes(lines, islands.lines[m])
@@ -152,6 +157,11 @@ def implicit_step(system, now, trial, work, island, t, h, control):
             total += finish_row(now, trial, i, k)
     for p in range(p0, p1):
         total += finish_row(now, trial, point_row(lines, islands.points[p]), k)
+    for m in range(islands.object_ptr[island], islands.object_ptr[island + 1]):
+        row = islands.object_row[m]
+        size = system.rigid.size[islands.objects[m]]
+        total += finish_row(now, trial, row, k) + size * size * finish_row(now, trial, row + 1, k)
+        rows += 1
     stick_island(system, now, trial, work.held, island)
     return converged, iterations, math.sqrt(total / rows), row
 
@@ -213,10 +223,13 @@ def set_accelerations(system, state, work, island, t):
             put(state.acceleration, i, (0.0, 0.0, 0.0))
     for p in range(p0, p1):
         put(state.acceleration, point_row(lines, islands.points[p]), (0.0, 0.0, 0.0))
+    for m in range(islands.object_ptr[island], islands.object_ptr[island + 1]):
+        put(state.acceleration, islands.object_row[m], (0.0, 0.0, 0.0))
+        put(state.acceleration, islands.object_row[m] + 1, (0.0, 0.0, 0.0))
     attach(system, state, work, island, t)
     assemble_island(system, state, state, work, island, c, t)
     solve_island(system, state, work, island, c)
-    shift(system.lines, system.islands, state, work.increment, island, 0.0, 0.0, 1.0)
+    shift(system, state, work, island, 0.0, 0.0, 1.0)
 
 
 @kernel
@@ -231,3 +244,7 @@ def start_island(system, state, work, island, t):
     for p in range(islands.point_ptr[island], islands.point_ptr[island + 1]):
         row = point_row(lines, islands.points[p])
         put(state.auxiliary, row, get(state.acceleration, row))
+    for m in range(islands.object_ptr[island], islands.object_ptr[island + 1]):
+        row = islands.object_row[m]
+        put(state.auxiliary, row, get(state.acceleration, row))
+        put(state.auxiliary, row + 1, get(state.acceleration, row + 1))

@@ -1,17 +1,18 @@
-"""The dense system of the free points and joints of an island, from the condensed boundaries of its lines."""
+"""The dense system of the free points, joints and objects of an island, from the condensed boundaries of its lines."""
 
 from __future__ import annotations
 
 from moorage._jit import inlined, kernel
 from moorage._vec3 import get, mat_get, put, sym_get
-from moorage.layout import line_nodes, point_row, water_of
+from moorage.layout import FLEXIBLE, line_nodes, point_row, water_of
 from moorage.physics.point import point_terms
+from moorage.solve.fold import add_objects, move_riders
 from moorage.system.attach import copy_free_ends
 
 
 @kernel
 def solve_junctions(system, state, work, island, c):
-    """Solve for the increments of the unknowns of an island: free points, and nodes beside joints."""
+    """Solve for the increments of the unknowns of an island: free points, nodes beside joints and clamps, objects."""
     lines, islands = system.lines, system.islands
     u0, u1 = islands.unknown_ptr[island], islands.unknown_ptr[island + 1]
     if u1 == u0:
@@ -31,15 +32,21 @@ def solve_junctions(system, state, work, island, c):
         force, block = point_terms(system.points, point, water_of(state, row), r, v, a, c)
         add_own(A, b, size, p - p0, block, force)
     for k in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
-        add_line(lines, work, A, b, size, islands.lines[k])
+        if system.riders.of_line[islands.lines[k]] == FLEXIBLE:
+            add_line(lines, work, A, b, size, islands.lines[k])
     for m in range(islands.joint_ptr[island], islands.joint_ptr[island + 1]):
         line, end = system.joints.line[m], system.joints.end[m]
         i, j = lines.inner_unknown[line[1], end[1]], lines.inner_unknown[line[0], end[0]]
         add_coupling(A, size, i, j, mat_get(work.blocks.joint, m))
-    solve_dense(A, b, size)
-    for u in range(u0, u1):
+    if islands.object_ptr[island + 1] > islands.object_ptr[island]:
+        add_objects(system, state, work, A, b, size, island, c)
+    riders = islands.riders[island]
+    solve_dense(A, b, size, 3 * riders)
+    for u in range(u0 + riders, u1):
         k = 3 * (u - u0)
         put(work.increment, islands.unknown_row[u], (b[k], b[k + 1], b[k + 2]))
+    if islands.object_ptr[island + 1] > islands.object_ptr[island]:
+        move_riders(lines, islands, system.riders, state, work.increment, island)
     copy_free_ends(lines, islands, island, work.increment)
 
 
@@ -91,9 +98,12 @@ def add_line(lines, work, A, b, size, line):
 
 
 @kernel
-def solve_dense(A, b, n):
-    """Gauss elimination with row pivoting, in place, of an n x n matrix stored row by row; b becomes the solution."""
-    for k in range(n):
+def solve_dense(A, b, n, begin):
+    """Gauss elimination with row pivoting, in place, of an n x n matrix stored row by row; b becomes the solution.
+
+    The unknowns before `begin` are left out.
+    """
+    for k in range(begin, n):
         best = k
         for i in range(k + 1, n):
             if abs(A[i * n + k]) > abs(A[best * n + k]):
@@ -108,7 +118,7 @@ def solve_dense(A, b, n):
                 for j in range(k + 1, n):
                     A[i * n + j] -= m * A[k * n + j]
                 b[i] -= m * b[k]
-    for k in range(n - 1, -1, -1):
+    for k in range(n - 1, begin - 1, -1):
         for j in range(k + 1, n):
             b[k] -= A[k * n + j] * b[j]
         b[k] /= A[k * n + k]

@@ -12,7 +12,7 @@ import numpy as np
 from scipy.sparse import csr_array
 
 from moorage.errors import SimulationError
-from moorage.layout import new_state
+from moorage.layout import OF_OBJECTS, new_state
 from moorage.physics.motion import sample_track
 from moorage.solve import record as columns
 from moorage.solve.march_kernel import OK, UNSTABLE, Clocks, Control, march_islands, start_islands
@@ -91,21 +91,27 @@ def control_of(settings: Settings, built: Built) -> Control:
 
 def over_islands(built: Built, values) -> np.ndarray:
     """Return the largest of values (segments, ...) over the lines of each island."""
-    lines = np.maximum.reduceat(values, built.names.segment_ptr[:-1])
+    ptr = built.system.lines.node_ptr
     out = np.zeros((len(built.system.islands.line_ptr) - 1, *np.shape(values)[1:]))
+    if len(ptr) == 1:
+        return out
+    lines = np.maximum.reduceat(values, (ptr - np.arange(len(ptr)))[:-1])
     np.maximum.at(out, built.island_of_line, lines)
     return out
 
 
 def force_scales(built: Built) -> np.ndarray:
     """Return the size of the forces in each island, N: its largest tension now, the weight of a line, or 1e-6 EA."""
-    system, ptr = built.system, built.names.segment_ptr
-    first = np.arange(len(built.names.segment_length)) + np.repeat(np.arange(len(ptr) - 1), np.diff(ptr))
+    system, length = built.system, built.system.tension.length
+    if not len(length):
+        return np.zeros(len(system.islands.line_ptr) - 1)
+    ptr = system.lines.node_ptr - np.arange(len(system.lines.node_ptr))
+    first = np.arange(len(length)) + np.repeat(np.arange(len(ptr) - 1), np.diff(ptr))
     span = np.linalg.norm(built.state.position[first + 1] - built.state.position[first], axis=1)
-    tension = system.tension.spring * np.maximum(span - built.names.segment_length, 0.0)
+    tension = system.tension.spring * np.maximum(span - length, 0.0)
     dry = -0.5 * (system.weight.dry[first] + system.weight.dry[first + 1])
     weight = np.add.reduceat(np.abs(dry - system.weight.buoyancy), ptr[:-1])
-    least = 1e-6 * system.tension.spring * built.names.segment_length  # nothing may pull or weigh at the start
+    least = 1e-6 * system.tension.spring * length  # nothing may pull or weigh at the start
     return over_islands(built, np.maximum(np.maximum(tension, least), np.repeat(weight, np.diff(ptr))))
 
 
@@ -148,7 +154,7 @@ class March:
             np.zeros(islands, dtype=np.int64),
             np.full(islands, -1, dtype=np.int64),
         )
-        self.old = new_state(len(self.built.state.position))
+        self.old = new_state(len(self.built.state.position), len(self.built.state.attitude))
         start_islands(self.built.system, self.built.state, self.built.work, time)
         for target, source in zip(self.old, self.built.state, strict=True):
             target[...] = source
@@ -158,11 +164,12 @@ class March:
         before, (time, after) = self.built, self._stages[self._stage + 1]
         for target, source in zip(after.state, before.state, strict=True):
             target[...] = source
-        ptr = after.names.node_ptr
+        ptr = after.system.lines.node_ptr
         for line, end in np.argwhere(after.system.lines.end_point != before.system.lines.end_point):
             row = ptr[line] if end == 0 else ptr[line + 1] - 1
-            for values in after.state:
-                values[ptr[-1] + after.system.lines.end_point[line, end]] = values[row]
+            for name, values in zip(after.state._fields, after.state, strict=True):
+                if name not in OF_OBJECTS:
+                    values[ptr[-1] + after.system.lines.end_point[line, end]] = values[row]
         self._counted += self.clocks.counts.sum(axis=0)
         self._stage += 1
         self._begin(time)
@@ -256,7 +263,7 @@ class March:
                 until, stop, built.island_of_line, record,
             )  # fmt: skip
 
-        workers = min(PROCESSORS, islands, int(built.names.node_ptr[-1]) // THREAD_NODES + 1)
+        workers = min(PROCESSORS, islands, int(built.system.lines.node_ptr[-1]) // THREAD_NODES + 1)
         if workers == 1:
             part((0, islands))
         else:
@@ -272,7 +279,8 @@ class March:
 
     def block(self, record: Record, rows: int, node_rows: int) -> Block:
         """Split the buffers into named arrays of the first `rows` times; what can be a view is one."""
-        c, lines = columns, record.lines[:rows]
+        c, named = columns, len(self.built.names.lines)
+        lines, rods = record.lines[:rows, :named], record.lines[:rows, named:]
 
         def at_ends(first: int, width: int) -> np.ndarray:
             """Columns of end A and then of end B, (rows, lines, 2, width)."""
@@ -282,6 +290,7 @@ class March:
         points = record.points[:rows].copy()
         self._fill_prescribed(record.time[:rows], points)
         holder_force, named = self._holder_force(force), len(self.built.names.points)
+        objects = record.objects[:rows]
         w = record.watch[:rows]
         block = {
             "time": record.time[:rows],
@@ -297,22 +306,33 @@ class March:
             "point_force": holder_force[:, :named],
             "holder_force": holder_force,
             "holder_position": points[:, :, 0:3],
+            "object_position": objects[:, :, c.PLACE : c.PLACE + 3],
+            "object_velocity": objects[:, :, c.SPEED : c.SPEED + 3],
+            "object_acceleration": objects[:, :, c.RISE : c.RISE + 3],
+            "object_rotation": objects[:, :, c.TURN : c.TURN + 9].reshape(rows, -1, 3, 3),
+            "object_spin": objects[:, :, c.SPIN : c.SPIN + 3],
+            "object_twist": objects[:, :, c.TWIST : c.TWIST + 3],
+            "rod_force": rods[:, :, c.FORCE_A : c.FORCE_A + 3],
+            "rod_load": rods[:, :, c.LOAD_A : c.LOAD_A + 3],
+            "rod_moment": rods[:, :, c.MOMENT_A : c.MOMENT_A + 3],
+            "rod_load_moment": rods[:, :, c.MOMENT_B : c.MOMENT_B + 3],
             "watch_position": w[:, :, c.POSITION : c.POSITION + 3],
             "watch_velocity": w[:, :, c.VELOCITY : c.VELOCITY + 3],
             "watch_force": w[:, :, c.FORCE : c.FORCE + 3],
             "watch_tension": w[:, :, c.TENSION],
         }
         if self.settings.dt_nodes:
+            n, segments = int(self.built.names.node_ptr[-1]), int(self.built.names.segment_ptr[-1])
             block |= {
                 "node_time": record.node_time[:node_rows],
-                "node_position": record.node_position[:node_rows],
-                "node_velocity": record.node_velocity[:node_rows],
-                "segment_tension": record.segment_tension[:node_rows],
-                "seabed_gap": record.contact[:node_rows, :, columns.GAP],
-                "seabed_force": record.contact[:node_rows, :, columns.NORMAL],
-                "friction_force": record.contact[:node_rows, :, columns.RUB :],
-                "curvature": record.curvature[:node_rows],
-                "bending_moment": record.moment[:node_rows],
+                "node_position": record.node_position[:node_rows, :n],
+                "node_velocity": record.node_velocity[:node_rows, :n],
+                "segment_tension": record.segment_tension[:node_rows, :segments],
+                "seabed_gap": record.contact[:node_rows, :n, columns.GAP],
+                "seabed_force": record.contact[:node_rows, :n, columns.NORMAL],
+                "friction_force": record.contact[:node_rows, :n, columns.RUB :],
+                "curvature": record.curvature[:node_rows, :n],
+                "bending_moment": record.moment[:node_rows, :n],
             }
         return block
 
@@ -325,7 +345,7 @@ class March:
 
     def _holder_force(self, force) -> np.ndarray:
         """Sum of the forces of all lines on each point and rod end."""
-        ends = self.built.system.lines.end_point.ravel()
+        ends = self.built.system.lines.end_point[: len(self.built.names.lines)].ravel()
         n, points = len(force), len(self.built.system.points.mass)
         holds = csr_array((np.ones(len(ends)), (ends, np.arange(len(ends)))), shape=(points, len(ends)))
         by_end = force.reshape(n, len(ends), 3).swapaxes(0, 1).reshape(len(ends), 3 * n)

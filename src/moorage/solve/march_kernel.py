@@ -12,7 +12,7 @@ from moorage._vec3 import get, put
 from moorage.layout import line_nodes, point_row
 from moorage.solve.explicit import explicit_step
 from moorage.solve.implicit import implicit_step, start_island
-from moorage.solve.record import record_lines, record_nodes, record_watched, sample_island
+from moorage.solve.record import record_lines, record_nodes, record_objects, record_watched, sample_island
 from moorage.system.water import next_interval, start_table, table_end
 
 OK, NO_SOLUTION, UNSTABLE = 0, 1, 2
@@ -83,6 +83,8 @@ def march_islands(system, old, now, work, clocks, control, begin, end, until, st
                 known_before, known_after = True, True
                 s = fraction(record.time[row], t0, t)
                 record_lines(system, a, b, island, before, after, t - t0, s, record, row)
+                if system.islands.object_ptr[island + 1] > system.islands.object_ptr[island]:
+                    record_objects(system, a, b, island, t - t0, s, record, row)
                 if len(record.watched) > 0:
                     record_watched(system, a, b, island_of_line, island, t - t0, s, record, row)
                 row += 1
@@ -159,6 +161,13 @@ def swap_island(lines, islands, old, now, island):
             swap_row(old, now, i)
     for p in range(islands.point_ptr[island], islands.point_ptr[island + 1]):
         swap_row(old, now, point_row(lines, islands.points[p]))
+    for k in range(islands.object_ptr[island], islands.object_ptr[island + 1]):
+        o = islands.objects[k]
+        swap_row(old, now, islands.object_row[k])
+        swap_row(old, now, islands.object_row[k] + 1)
+        for c in range(9):
+            old.attitude[o, c], now.attitude[o, c] = now.attitude[o, c], old.attitude[o, c]
+            old.base[o, c], now.base[o, c] = now.base[o, c], old.base[o, c]
 
 
 @inlined

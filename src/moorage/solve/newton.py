@@ -6,11 +6,13 @@ import math
 
 from moorage._jit import inlined, kernel
 from moorage._vec3 import accumulate, add, dot, get, put, scale
-from moorage.layout import line_nodes, point_row, water_of
+from moorage.layout import FLEXIBLE, line_nodes, point_row, water_of
 from moorage.physics.point import point_terms
+from moorage.solve.fold import load_objects
 from moorage.solve.junction import solve_junctions
 from moorage.solve.line_solve import assemble_and_reduce, back_substitute, reduce_line, substitute
 from moorage.system.assemble import add_joints, assemble_line
+from moorage.system.attach import settle
 from moorage.system.water import set_water
 
 
@@ -35,16 +37,16 @@ def newton_island(system, state, start, work, island, c, t):
         first, last = line_nodes(lines, line)
         put(work.increment, first, (0.0, 0.0, 0.0))
         put(work.increment, last, (0.0, 0.0, 0.0))
-        if walks_once(lines, line):
+        if walks_once(system, line):
             assemble_and_reduce(system, state, start, work, line, c)
         else:
             assemble_line(system, state, start, work, line, c)
     solve_boundary(system, state, work, island, c)
     for k in range(l0, l1):
         line = islands.lines[k]
-        if walks_once(lines, line):
+        if walks_once(system, line):
             substitute(lines, work, line)
-        else:
+        elif system.riders.of_line[line] == FLEXIBLE:
             back_substitute(lines, work, line, lines.end_unknown[line, 0] >= 0)
 
 
@@ -55,15 +57,16 @@ def solve_boundary(system, state, work, island, c):
     add_joints(system, state, work, island, c)
     for k in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
         line = islands.lines[k]
-        if not walks_once(lines, line):
+        if not walks_once(system, line) and system.riders.of_line[line] == FLEXIBLE:
             reduce_line(lines, work, line, lines.end_unknown[line, 0] >= 0)
     solve_junctions(system, state, work, island, c)
 
 
 @inlined
-def walks_once(lines, line):
+def walks_once(system, line):
     """Whether a line's matrix is block tridiagonal with a prescribed end A."""
-    return lines.end_unknown[line, 0] < 0 and not lines.bends[line]
+    lines = system.lines
+    return lines.end_unknown[line, 0] < 0 and not lines.bends[line] and system.riders.of_line[line] == FLEXIBLE
 
 
 @kernel
@@ -76,18 +79,21 @@ def solve_island(system, state, work, island, c):
         first, last = line_nodes(lines, line)
         put(work.increment, first, (0.0, 0.0, 0.0))
         put(work.increment, last, (0.0, 0.0, 0.0))
-        reduce_line(lines, work, line, lines.end_unknown[line, 0] >= 0)
+        if system.riders.of_line[line] == FLEXIBLE:
+            reduce_line(lines, work, line, lines.end_unknown[line, 0] >= 0)
     solve_junctions(system, state, work, island, c)
     for k in range(l0, l1):
         line = islands.lines[k]
-        back_substitute(lines, work, line, lines.end_unknown[line, 0] >= 0)
+        if system.riders.of_line[line] == FLEXIBLE:
+            back_substitute(lines, work, line, lines.end_unknown[line, 0] >= 0)
 
 
 @kernel
 def largest_imbalance(system, state, work, island, c):
-    """Largest force on an interior node or a free point of an assembled island, N, and its row; NaN counts as infinite.
+    """Largest force on an interior node, a free point or an object of an assembled island, N, and its row.
 
-    Also returns the sum of the squared forces.
+    NaN counts as infinite. Also returns the sum of the squared forces. Leaves the forces on points and objects in
+    `work.force`.
     """
     lines, islands = system.lines, system.islands
     p0, p1 = islands.point_ptr[island], islands.point_ptr[island + 1]
@@ -100,6 +106,8 @@ def largest_imbalance(system, state, work, island, c):
     for k in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
         line = islands.lines[k]
         first, last = line_nodes(lines, line)
+        if system.riders.of_line[line] != FLEXIBLE:
+            continue
         for end in range(2):
             if lines.end_unknown[line, end] >= 0:
                 row = point_row(lines, lines.end_point[line, end])
@@ -109,37 +117,56 @@ def largest_imbalance(system, state, work, island, c):
             total += size
             if not size <= worst:
                 worst, where = size, i
-    for p in range(p0, p1):
+    for p in range(p0 + islands.riders[island], p1):
         row = point_row(lines, islands.points[p])
         size = dot(get(work.force, row), get(work.force, row))
         total += size
         if not size <= worst:
             worst, where = size, row
+    if islands.object_ptr[island + 1] > islands.object_ptr[island]:
+        load_objects(system, state, work, island, c)
+        for k in range(islands.object_ptr[island], islands.object_ptr[island + 1]):
+            row = islands.object_row[k]
+            turn = scale(1.0 / system.rigid.size[islands.objects[k]], get(work.force, row + 1))
+            size = dot(get(work.force, row), get(work.force, row)) + dot(turn, turn)
+            total += size
+            if not size <= worst:
+                worst, where = size, row
     if not total < 1e300:
         worst = 1e300
     return math.sqrt(worst), where, total
 
 
 @inlined
-def shift(lines, islands, state, increment, island, on_position, on_velocity, on_acceleration):
-    """Add multiples of the increment to an island's state.
+def shift(system, state, work, island, on_position, on_velocity, on_acceleration):
+    """Add multiples of the increment to an island's state, and let riders follow.
 
     Returns the size of the largest increment and its row; infinity when one is not a number.
     """
+    lines, islands = system.lines, system.islands
     largest, where, total = 0.0, -1, 0.0
     for k in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
         first, last = line_nodes(lines, islands.lines[k])
         for i in range(first, last + 1):
-            size = shift_row(state, increment, i, on_position, on_velocity, on_acceleration)
+            size = shift_row(state, work.increment, i, on_position, on_velocity, on_acceleration)
             total += size
             if not size <= largest:
                 largest, where = size, i
     for p in range(islands.point_ptr[island], islands.point_ptr[island + 1]):
         row = point_row(lines, islands.points[p])
-        size = shift_row(state, increment, row, on_position, on_velocity, on_acceleration)
+        size = shift_row(state, work.increment, row, on_position, on_velocity, on_acceleration)
         total += size
         if not size <= largest:
             largest, where = size, row
+    for k in range(2 * islands.object_ptr[island], 2 * islands.object_ptr[island + 1]):
+        row = islands.object_row[k // 2] + k % 2
+        size = shift_row(state, work.increment, row, on_position, on_velocity, on_acceleration)
+        size *= system.rigid.size[islands.objects[k // 2]] ** 2 if k % 2 else 1.0
+        total += size
+        if not size <= largest:
+            largest, where = size, row
+    if islands.rides[island]:
+        settle(system, state, work, island)
     if not total < 1e300:
         largest = 1e300
     return math.sqrt(largest), where

@@ -12,9 +12,15 @@ def place_name(built: Built, row: int) -> str:
     names = built.names
     if row < 0:
         return "an unknown place"
-    if row >= names.node_ptr[-1]:
-        number = row - names.node_ptr[-1]
+    ptr = built.system.lines.node_ptr
+    number = row - int(ptr[-1]) - len(built.system.points.mass)
+    if number >= 0:
+        kind, id = names.objects[number // 2]
+        return f"{kind} {id}"
+    if row >= ptr[-1]:
+        number = row - int(ptr[-1])
         return f"point {names.points[number]}" if number < len(names.points) else "a free rod or a released line end"
-    line = int(np.searchsorted(names.node_ptr, row, side="right")) - 1
-    node = row - names.node_ptr[line]
-    return f"node {node} of {names.node_ptr[line + 1] - names.node_ptr[line] - 1} of line {names.lines[line]}"
+    line = int(np.searchsorted(ptr, row, side="right")) - 1
+    node, last, lines = row - ptr[line], ptr[line + 1] - ptr[line] - 1, len(names.lines)
+    what = f"line {names.lines[line]}" if line < lines else f"rod {names.rods[line - lines]}"
+    return f"node {node} of {last} of {what}"

@@ -12,12 +12,13 @@ from typing import NamedTuple
 import numpy as np
 
 from moorage._jit import inlined, kernel
-from moorage._vec3 import add, dot, get, put, scale, sub
-from moorage.layout import Weights, line_nodes, point_row, water_of
+from moorage._vec3 import add, cross, dot, get, mat_get, mat_mat, mat_times, put, scale, sub
+from moorage.layout import FLEXIBLE, Weights, line_nodes, point_row, water_of
 from moorage.physics.bathymetry import bed_at
 from moorage.physics.contact import contact_terms, near_bed
 from moorage.physics.friction import NONE, friction_terms
-from moorage.physics.morison import inertia_terms, wet_node, wet_part
+from moorage.physics.morison import inertia_terms, wet_end, wet_node, wet_part
+from moorage.physics.rigid import rotation, turning_rate
 from moorage.physics.tension import segment_tension, tension_terms
 from moorage.physics.weight import wet_shares
 from moorage.solve.bends import end_bending, node_bending, record_joints
@@ -26,6 +27,10 @@ from moorage.system.assemble import node_terms, span_around, unit_or_zero
 # columns of Record.lines
 FORCE_A, FORCE_B, LOAD_A, LOAD_B, TENSION_A, TENSION_B, LOWEST, GROUNDED = 0, 3, 6, 9, 12, 13, 14, 15
 MOMENT_A, MOMENT_B, COLUMNS = 16, 19, 22
+# of a rod: FORCE_A is the sum of the forces on its nodes and LOAD_A that without inertia, MOMENT_A and MOMENT_B are
+# their moments about its end A
+# columns of Record.objects: position, velocity, acceleration; rotation (9); angular velocity and acceleration, global
+PLACE, SPEED, RISE, TURN, SPIN, TWIST, OBJECT_COLUMNS = 0, 3, 6, 9, 18, 21, 24
 # columns of Record.contact: gap to the bed, m; normal force, N; friction, N (3)
 GAP, NORMAL, RUB, CONTACT_COLUMNS = 0, 1, 2, 5
 # columns of Record.watch
@@ -37,7 +42,8 @@ class Record(NamedTuple):
 
     time: np.ndarray  # (n,) s
     lines: np.ndarray  # (n, lines, COLUMNS)
-    points: np.ndarray  # (n, points, 9) position, velocity, acceleration of free points
+    points: np.ndarray  # (n, points, 9) position, velocity, acceleration of free points, and riders on objects
+    objects: np.ndarray  # (n, objects, OBJECT_COLUMNS)
     watched: np.ndarray  # (watched, 2) line, node
     watch: np.ndarray  # (n, watched, WATCH_COLUMNS)
     node_time: np.ndarray  # (m,) s
@@ -58,6 +64,7 @@ def new_record(system, time, node_time, watched) -> Record:
         time,
         np.zeros((n, lines, COLUMNS)),
         np.zeros((n, points, 9)),
+        np.zeros((n, len(system.riders.row), OBJECT_COLUMNS)),
         watched,
         np.zeros((n, len(watched), WATCH_COLUMNS)),
         node_time,
@@ -100,9 +107,12 @@ def node_force(system, state, line, i):
         share1 = wet_shares(system.weight.radius[j1], height, r[2] + e1[2] - state.water[i + 1, 0])[0]
         lift += share1 * system.weight.buoyancy[j1]
     n = np.uintp(i)
-    hydro = (
-        wet_node(system.morison, n) if share0 + share1 == 1.0 else wet_part(system.morison, n, j0, share0, j1, share1)
-    )
+    if share0 + share1 == 1.0:
+        hydro = wet_node(system.morison, n)
+    elif not first < i < last:
+        hydro = wet_end(system.morison, n, 2.0 * (share0 + share1) - 1.0)
+    else:
+        hydro = wet_part(system.morison, n, j0, share0, j1, share1)
     q = unit_or_zero(span_around(system.lines, state.position, line, i))
     rest = (0.0, 0.0, 0.0)
     force = add(pull, node_terms(system, n, hydro, q, water_of(state, i), r, v, rest, r, get(state.stuck, i), c)[0])
@@ -118,13 +128,16 @@ def sample_island(system, state, t, island, sample):
     for m in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
         line = islands.lines[m]
         first, last = line_nodes(system.lines, line)
+        if system.riders.of_line[line] != FLEXIBLE:
+            sample_rod(system, state, line, sample)
+            continue
         for end in range(2):
             load, inertia = node_force(system, state, line, first if end == 0 else last)
             put_row(sample, line, LOAD_A + 3 * end, load)
             put_row(sample, line, FORCE_A + 3 * end, add(load, inertia))
         if system.lines.bends[line]:
             for end in range(2):
-                force, moment = end_bending(system, state.position, line, end, t)
+                force, moment = end_bending(system, state, line, end, t)
                 for x in range(3):
                     sample[line, LOAD_A + 3 * end + x] += force[x]
                     sample[line, FORCE_A + 3 * end + x] += force[x]
@@ -142,6 +155,24 @@ def sample_island(system, state, t, island, sample):
             grounded += system.tension.length[j] * grounded_part(below, below_next)
             below = below_next
         sample[line, TENSION_B], sample[line, LOWEST], sample[line, GROUNDED] = tension, lowest, grounded
+
+
+@kernel
+def sample_rod(system, state, line, sample):
+    """Evaluate the columns of a rod: forces on its nodes, and their moments about end A."""
+    first, last = line_nodes(system.lines, line)
+    total, rest, turn, turn_rest = (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0, 0.0)
+    start = get(state.position, first)
+    for i in range(first, last + 1):
+        load, inertia = node_force(system, state, line, i)
+        arm = sub(get(state.position, i), start)
+        rest, turn_rest = add(rest, load), add(turn_rest, cross(arm, load))
+        whole = add(load, inertia)
+        total, turn = add(total, whole), add(turn, cross(arm, whole))
+    put_row(sample, line, FORCE_A, total)
+    put_row(sample, line, LOAD_A, rest)
+    put_row(sample, line, MOMENT_A, turn)
+    put_row(sample, line, MOMENT_B, turn_rest)
 
 
 @kernel
@@ -207,6 +238,26 @@ def record_lines(system, old, now, island, before, after, h, s, record, row):
             record.points[row, point, x] = r[x]
             record.points[row, point, 3 + x] = v[x]
             record.points[row, point, 6 + x] = a[x]
+
+
+@kernel
+def record_objects(system, old, now, island, h, s, record, row):
+    """Write the motion of the objects of an island at the fraction s of the step from `old` to `now` of length h."""
+    islands = system.islands
+    for k in range(islands.object_ptr[island], islands.object_ptr[island + 1]):
+        o, i = islands.objects[k], islands.object_row[k]
+        out = record.objects[row]
+        v0, v1 = get(old.velocity, i), get(now.velocity, i)
+        put_row(out, o, PLACE, hermite(get(old.position, i), v0, get(now.position, i), v1, h, s))
+        put_row(out, o, SPEED, mix(s, v0, v1))
+        put_row(out, o, RISE, mix(s, get(old.acceleration, i), get(now.acceleration, i)))
+        turned, w0, w1 = get(now.position, i + 1), get(old.velocity, i + 1), get(now.velocity, i + 1)
+        angle = hermite((0.0, 0.0, 0.0), w0, turned, turning_rate(turned, w1), h, s)
+        R = mat_mat(mat_get(now.base, o), rotation(angle))
+        for x in range(9):
+            out[o, TURN + x] = R[x]
+        put_row(out, o, SPIN, mat_times(R, mix(s, w0, w1)))
+        put_row(out, o, TWIST, mat_times(R, mix(s, get(old.acceleration, i + 1), get(now.acceleration, i + 1))))
 
 
 @kernel
@@ -284,6 +335,6 @@ def record_nodes(system, old, now, island, h, s, record, row):
         if system.lines.bends[line]:
             position = record.node_position[row]
             for i in range(first, last + 1):
-                bend = node_bending(system, position, line, i, record.node_time[row])
+                bend = node_bending(system, old, now, s, position, line, i, record.node_time[row])
                 record.curvature[row, i], record.moment[row, i] = bend
     record_joints(system, island, record, row)

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from moorage.errors import ConvergenceError
-from moorage.layout import State, System, copy_of
+from moorage.layout import OF_OBJECTS, State, System, copy_of
 from moorage.physics.friction import ELASTIC, NONE, SOIL
 from moorage.physics.sea import no_sea
 from moorage.solve.implicit import stick_island
@@ -137,19 +137,21 @@ def _from_still_water(
 
 def _put_back(built: Built, island: int, begin: State) -> None:
     """Copy the rows of an island from the state at the start."""
-    islands, ptr = built.system.islands, built.names.node_ptr
+    islands, ptr = built.system.islands, built.system.lines.node_ptr
     lines = islands.lines[islands.line_ptr[island] : islands.line_ptr[island + 1]]
     points = islands.points[islands.point_ptr[island] : islands.point_ptr[island + 1]]
-    rows = np.concatenate([*(np.arange(ptr[k], ptr[k + 1]) for k in lines), ptr[-1] + points])
-    for target, source in zip(built.state, begin, strict=True):
-        target[rows] = source[rows]
+    objects = slice(*islands.object_ptr[island : island + 2])
+    own = islands.object_row[objects]
+    rows = np.concatenate([*(np.arange(ptr[k], ptr[k + 1]) for k in lines), ptr[-1] + points, own, own + 1])
+    for name, target, source in zip(State._fields, built.state, begin, strict=True):
+        which = islands.objects[objects] if name in OF_OBJECTS else rows
+        target[which] = source[which]
 
 
 def _reach(built: Built, island: int) -> float:
     """Longest increment of a position, m: where bending is stiff, a fifth of the shortest segment."""
-    islands, names = built.system.islands, built.names
+    islands, system = built.system.islands, built.system
+    ptr = system.lines.node_ptr - np.arange(len(system.lines.node_ptr))
     lines = islands.lines[islands.line_ptr[island] : islands.line_ptr[island + 1]]
-    shortest = min(
-        (built.names.segment_length[names.segment_ptr[k] : names.segment_ptr[k + 1]].min() for k in lines), default=10.0
-    )
+    shortest = min((system.tension.length[ptr[k] : ptr[k + 1]].min() for k in lines), default=10.0)
     return 0.2 * shortest if built.system.lines.bends[lines].any() else shortest

@@ -10,9 +10,10 @@ from __future__ import annotations
 
 from moorage._jit import kernel
 from moorage._vec3 import dot, get, put
-from moorage.layout import Weights, line_nodes, point_row
+from moorage.layout import FLEXIBLE, Weights, line_nodes, point_row
 from moorage.solve.newton import assemble_island, largest_imbalance, shift, solve_island
 from moorage.system.attach import attach
+from moorage.system.ride import begin_turning
 
 
 @kernel
@@ -27,6 +28,11 @@ def stop_island(lines, islands, state, island):
             put(state.auxiliary, i, zero)
     for p in range(islands.point_ptr[island], islands.point_ptr[island + 1]):
         row = point_row(lines, islands.points[p])
+        put(state.velocity, row, zero)
+        put(state.acceleration, row, zero)
+        put(state.auxiliary, row, zero)
+    for k in range(2 * islands.object_ptr[island], 2 * islands.object_ptr[island + 1]):
+        row = islands.object_row[k // 2] + k % 2
         put(state.velocity, row, zero)
         put(state.acceleration, row, zero)
         put(state.auxiliary, row, zero)
@@ -62,6 +68,7 @@ def relax_island(system, state, work, island, reach, tolerance, iterations):
     tau, before, damped = 1e3, 1e300, 0
     force, row = 1e300, -1
     for iteration in range(iterations):
+        begin_turning(system.islands, state, island)
         c = Weights(1.0 / (tau * tau), 0.0, 1.0)
         assemble_island(system, state, state, work, island, c, 0.0)
         force, row, total = largest_imbalance(system, state, work, island, c)
@@ -69,13 +76,13 @@ def relax_island(system, state, work, island, reach, tolerance, iterations):
             return force, row, iteration, damped
         assemble_island(system, state, state, work, island, c, 0.0)
         solve_island(system, state, work, island, c)
-        longest, _ = shift(system.lines, system.islands, state, work.increment, island, 0.0, 0.0, 0.0)
+        longest, _ = shift(system, state, work, island, 0.0, 0.0, 0.0)
         if not longest < 1e100:
             tau = max(1e-3, 0.1 * tau)
             damped += 1
             continue
         step = min(1.0, reach / (longest + 1e-300))
-        shift(system.lines, system.islands, state, work.increment, island, step, 0.0, 0.0)
+        shift(system, state, work, island, step, 0.0, 0.0)
         if tau >= 1e3:
             # line search: a Newton increment of full length must make the imbalance fall, or pseudo time takes over
             taken, halvings = step, 0
@@ -84,7 +91,7 @@ def relax_island(system, state, work, island, reach, tolerance, iterations):
                 _, _, trial = largest_imbalance(system, state, work, island, c)
                 if trial < total:
                     break
-                shift(system.lines, system.islands, state, work.increment, island, -0.5 * taken, 0.0, 0.0)
+                shift(system, state, work, island, -0.5 * taken, 0.0, 0.0)
                 taken *= 0.5
                 halvings += 1
             if halvings == 4:
@@ -108,32 +115,30 @@ def descend_island(system, state, work, island, reach, tolerance, iterations):
     place_at_rest(system, state, work, island)
     tau, force, row = 1e3, 1e300, -1
     for iteration in range(iterations):
+        begin_turning(system.islands, state, island)
         c = Weights(1.0 / (tau * tau), 0.0, 1.0)
         assemble_island(system, state, state, work, island, c, 0.0)
         force, row, total = largest_imbalance(system, state, work, island, c)
         if force < tolerance or not force < 1e299:
             return force, row, iteration, iteration
         solve_island(system, state, work, island, c)
-        longest, _ = shift(system.lines, system.islands, state, work.increment, island, 0.0, 0.0, 0.0)
+        longest, _ = shift(system, state, work, island, 0.0, 0.0, 0.0)
         if not longest < 1e100:
             tau = max(1e-4, 0.1 * tau)
             continue
         assemble_island(system, state, state, work, island, c, 0.0)
         largest_imbalance(system, state, work, island, c)
-        begin = work_done(system.lines, system.islands, work.force, work.increment, island)
+        begin = work_done(system, work, island)
         taken, halvings = min(1.0, reach / (longest + 1e-300)), 0
         whole = taken == 1.0
-        shift(system.lines, system.islands, state, work.increment, island, taken, 0.0, 0.0)
+        shift(system, state, work, island, taken, 0.0, 0.0)
         while halvings < 10:
             assemble_island(system, state, state, work, island, c, 0.0)
             _, _, trial = largest_imbalance(system, state, work, island, c)
-            if (
-                trial < total
-                or work_done(system.lines, system.islands, work.force, work.increment, island) > -0.5 * begin
-            ):
+            if trial < total or work_done(system, work, island) > -0.5 * begin:
                 break
             taken *= 0.5
-            shift(system.lines, system.islands, state, work.increment, island, -taken, 0.0, 0.0)
+            shift(system, state, work, island, -taken, 0.0, 0.0)
             halvings += 1
         if halvings == 0 and whole:
             tau = min(1e3, 3.0 * tau)
@@ -143,14 +148,20 @@ def descend_island(system, state, work, island, reach, tolerance, iterations):
 
 
 @kernel
-def work_done(lines, islands, force, increment, island):
+def work_done(system, work, island):
     """Work of the out-of-balance forces on the increment, J."""
+    lines, islands, force, increment = system.lines, system.islands, work.force, work.increment
     total = 0.0
     for m in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
-        first, last = line_nodes(lines, islands.lines[m])
-        for i in range(first + 1, last):
-            total += dot(get(force, i), get(increment, i))
-    for p in range(islands.point_ptr[island], islands.point_ptr[island + 1]):
+        line = islands.lines[m]
+        first, last = line_nodes(lines, line)
+        if system.riders.of_line[line] == FLEXIBLE:
+            for i in range(first + 1, last):
+                total += dot(get(force, i), get(increment, i))
+    for p in range(islands.point_ptr[island] + islands.riders[island], islands.point_ptr[island + 1]):
         row = point_row(lines, islands.points[p])
+        total += dot(get(force, row), get(increment, row))
+    for k in range(2 * islands.object_ptr[island], 2 * islands.object_ptr[island + 1]):
+        row = islands.object_row[k // 2] + k % 2
         total += dot(get(force, row), get(increment, row))
     return total

@@ -10,7 +10,7 @@ import numpy as np
 
 from moorage._jit import inlined, kernel
 from moorage._vec3 import mat_get, mat_put, mat_transpose, sym_get, sym_to_general
-from moorage.layout import Weights, copy_of, line_nodes, water_of
+from moorage.layout import FLEXIBLE, Weights, copy_of, line_nodes, water_of
 from moorage.model.motion import rotation_matrices
 from moorage.physics.bending import PINNED
 from moorage.physics.point import point_terms
@@ -34,6 +34,8 @@ def condense_island(system, state, work, island, c, blocks, across):
     for m in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
         line = islands.lines[m]
         first, last = line_nodes(lines, line)
+        if system.riders.of_line[line] != FLEXIBLE:
+            continue
         reduce_line(lines, work, line, True)
         near, far = lines.inner_unknown[line, 0] >= 0, lines.inner_unknown[line, 1] >= 0
         out = blocks[line]
@@ -76,7 +78,7 @@ def point_stiffness(built: Built) -> np.ndarray:
     Rows count the points in the order of the file and then the ends of rods.
     """
     system, lines = static_system(built.system), built.system.lines
-    n, first_row = len(system.points.mass), int(built.names.node_ptr[-1])
+    n, first_row = len(system.points.mass), int(built.system.lines.node_ptr[-1])
     blocks, across = np.zeros((len(lines.bends), 4, 4, 9)), np.zeros((len(system.joints.rule), 9))
     # slack nodes yield without resistance: their mass, as in statics, keeps the pivots from zero
     c = Weights(1e-8, 0.0, 1.0)
@@ -149,7 +151,7 @@ def platform_stiffness(built: Built, forces=None, moved=None) -> np.ndarray:
     if (built.system.bending.rule[np.isin(built.system.lines.end_point, moved)] != PINNED).any():
         return measured_stiffness(built, moved)
     K = coupled_stiffness(built, moved)
-    arms = built.state.position[built.names.node_ptr[-1] + moved]
+    arms = built.state.position[built.system.lines.node_ptr[-1] + moved]
     T = np.concatenate([np.tile(np.eye(3), (len(moved), 1, 1)), -np.array([cross_matrix(r) for r in arms])], axis=2)
     total = np.einsum("mia,minj,njb->ab", T, K, T)
     if forces is not None:
@@ -199,14 +201,14 @@ def _move_platform(built: Built, moved, move, rest) -> None:
 
 def _platform_load(built: Built, moved, origin) -> np.ndarray:
     """Force (N) and moment (N m) of the lines on the moved holders, at rest; about the platform's origin, m."""
-    sample = np.zeros((len(built.names.lines), COLUMNS))
+    sample = np.zeros((len(built.system.lines.bends), COLUMNS))
     sample_system(built.system, built.state, 0.0, sample)
     load = np.zeros(6)
     for line, ends in enumerate(built.system.lines.end_point):
         for end, holder in enumerate(ends):
             if holder in moved:
                 force = sample[line, FORCE_A + 3 * end : FORCE_A + 3 * end + 3]
-                arm = built.state.position[built.names.node_ptr[line + end] - end] - origin
+                arm = built.state.position[built.system.lines.node_ptr[line + end] - end] - origin
                 load[:3] += force
                 load[3:] += np.cross(arm, force) + sample[line, MOMENT_A + 3 * end : MOMENT_A + 3 * end + 3]
     return load

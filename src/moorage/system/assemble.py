@@ -53,6 +53,7 @@ from moorage.physics.morison import (
     drag_turn,
     hydro_block,
     inertia_terms,
+    wet_end,
     wet_node,
     wet_part,
 )
@@ -113,6 +114,8 @@ def walk(system, state, start, line, i, last, carried, c):
         e = sub(get(state.position, system.lines.beyond[line, 1]), r)
     if share_before + share == 1.0:
         hydro = wet_node(system.morison, n)
+    elif not system.lines.node_ptr[line] < i < last:
+        hydro = wet_end(system.morison, n, 2.0 * (share_before + share) - 1.0)
     else:
         hydro = wet_part(system.morison, n, j_before, share_before, j, share)
     q = unit_or_zero(add(e_before, e))

@@ -6,6 +6,7 @@ from moorage._jit import inlined, kernel
 from moorage._vec3 import get, put, unit
 from moorage.layout import line_nodes, point_row
 from moorage.physics.motion import follow
+from moorage.system.ride import place_pins, place_riders
 
 
 @inlined
@@ -40,10 +41,21 @@ def copy_free_ends(lines, islands, island, values):
 
 
 @inlined
+def settle(system, state, work, island):
+    """Give what rides on objects, and line ends on free points and riders, the motion of these."""
+    lines, islands = system.lines, system.islands
+    if islands.rides[island]:
+        place_riders(lines, islands, system.riders, state, work.direction, island)
+    if islands.point_ptr[island + 1] > islands.point_ptr[island]:
+        copy_free_ends(lines, islands, island, state.position)
+        copy_free_ends(lines, islands, island, state.velocity)
+        copy_free_ends(lines, islands, island, state.acceleration)
+
+
+@inlined
 def attach(system, state, work, island, t):
-    """Give all line ends of an island the motion of their points at time t."""
+    """Give all line ends of an island the motion of their points at time t, and riders that of their objects."""
     place_prescribed_ends(system, state, work, island, t)
-    if system.islands.point_ptr[island + 1] > system.islands.point_ptr[island]:
-        copy_free_ends(system.lines, system.islands, island, state.position)
-        copy_free_ends(system.lines, system.islands, island, state.velocity)
-        copy_free_ends(system.lines, system.islands, island, state.acceleration)
+    if system.islands.rides[island]:
+        place_pins(system.islands, system.riders, system.tracks, state, island, t)
+    settle(system, state, work, island)

@@ -12,11 +12,13 @@ from moorage.system.holders import Holders
 
 
 def build_bending(model: Model, holders: Holders, segments, node_ptr, first_direction: int):
-    """Return `Bending`, `Joints` and the clamps' directions, (3,) or (n, 3) each, as tracks from `first_direction` on.
+    """Return `Bending`, `Joints`, the clamps' directions, (3,) or (n, 3) each, as tracks from `first_direction` on.
 
+    And of the clamps on objects: the objects (lines, 2), and the directions (lines, 2, 3) in their axes.
     segments: the table of `segment_table`.
     """
-    n_nodes, n_lines = int(node_ptr[-1]), len(model.lines)
+    n_nodes, n_lines = int(node_ptr[-1]), len(node_ptr) - 1
+    of_clamp, toward = np.full((n_lines, 2), -1, dtype=np.int64), np.zeros((n_lines, 2, 3))
     stiffness = 2.0 * segments["bending_stiffness"] / segments["length"]
     before, after = np.zeros(n_nodes), np.zeros(n_nodes)
     table = np.full(n_nodes, -1, dtype=np.int64)
@@ -50,11 +52,14 @@ def build_bending(model: Model, holders: Holders, segments, node_ptr, first_dire
                 meeting.setdefault(holder, []).append((k, end))
                 continue
             spring = line.end_a_stiffness if end == 0 else line.end_b_stiffness
-            if spring == 0.0:
+            if spring == 0.0 or not (hold in holders.directions or hold in holders.turning):
                 continue
             rule[k, end] = law
             before[node], after[node] = stiffness[jj], RIGID if spring is None else spring
             table[node] = tabulate(jj, jj) if spring is None else -1
+            if hold in holders.turning:
+                of_clamp[k, end], toward[k, end] = holders.turning[hold]
+                continue
             direction[k, end] = first_direction + len(clamps)
             clamps.append(holders.directions[hold])
     pairs = [both for both in meeting.values() if len(both) == 2]
@@ -67,7 +72,7 @@ def build_bending(model: Model, holders: Holders, segments, node_ptr, first_dire
         np.full(len(pairs), law, dtype=np.int64),
         np.array([tabulate(a, b) for a, b in segment_of], dtype=np.int64),
     )
-    return Bending(before, after, table, rule, direction, build_tables(curves)), joints, clamps
+    return Bending(before, after, table, rule, direction, build_tables(curves)), joints, clamps, of_clamp, toward
 
 
 def series(one, two) -> Curve | None:

@@ -6,9 +6,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from moorage.layout import State, System, Work, new_state, new_work
+from moorage.layout import FLEXIBLE, HELD, Riders, State, System, Work, new_state, new_work, rows_of
+from moorage.model import Attachment, Curve, Model, Motion
 from moorage.model import Current as SteadyCurrent
-from moorage.model import Curve, Model, Motion
 from moorage.physics.current import Current
 from moorage.physics.morison import Morison
 from moorage.physics.motion import Tracks, no_tracks, spline_tracks
@@ -20,13 +20,17 @@ from moorage.system.bed import build_contact, build_friction
 from moorage.system.bends import build_bending
 from moorage.system.guess import hang_chains, place_guess
 from moorage.system.holders import Holders, holders_of, release, timed_failures
+from moorage.system.objects import Objects, build_rigid, rigid_rods
 from moorage.system.sea import build_sea
 from moorage.system.segments import NodeSum, segment_table
 from moorage.system.topology import islands_of
 
 
 class Names(NamedTuple):
-    """What the rows of the arrays are called; everything in the order of the file."""
+    """What the rows of the arrays are called; everything in the order of the file.
+
+    Nodes and segments are those of lines; those of rods stand behind them in the system.
+    """
 
     lines: np.ndarray  # (lines,) ids
     points: np.ndarray  # (points,) ids
@@ -34,6 +38,8 @@ class Names(NamedTuple):
     segment_ptr: np.ndarray  # (lines + 1,)
     segment_length: np.ndarray  # (segments,) unstretched, m
     arc_length: np.ndarray  # (nodes,) unstretched, from end A, m
+    rods: list[int]  # ids of the rods that have nodes
+    objects: list[tuple[str, int]]  # "rod" or "body", id
 
 
 class Built(NamedTuple):
@@ -67,14 +73,19 @@ def build(
     model = release(model, released)
     holders = holders_of(model, motion, duration, released)
     segments = segment_table(model)
-    count = np.array([line.segments for line in model.lines], dtype=np.int64)
+    rods = rigid_rods(model)
+    count = np.array([x.segments for x in model.lines] + [rod.segments for rod in rods], dtype=np.int64)
     node_ptr = np.concatenate([[0], np.cumsum(count + 1)]).astype(np.int64)
     to_nodes = NodeSum(node_ptr)
     ends = [(holders.number[line.end_a], holders.number[line.end_b]) for line in model.lines]
-    bending, joints, clamps = build_bending(model, holders, segments, node_ptr, len(holders.rest))
-    bends = np.add.reduceat(segments["bending_stiffness"], node_ptr[:-1] - np.arange(len(count))) > 0.0
+    ends += [tuple(holders.number[Attachment("rod", rod.id, end)] for end in ("A", "B")) for rod in rods]  # type: ignore[misc]
+    bending, joints, clamps, of_clamp, toward = build_bending(model, holders, segments, node_ptr, len(holders.rest))
+    riders = _riders(model, holders, node_ptr, of_clamp, toward)
+    stiffness = np.concatenate([[0.0], np.cumsum(segments["bending_stiffness"])])
+    segment_ptr = node_ptr - np.arange(len(node_ptr))
+    bends = stiffness[segment_ptr[1:]] > stiffness[segment_ptr[:-1]]
     lines, islands, joints, island_of_line = islands_of(
-        node_ptr, np.array(ends, dtype=np.int64).reshape(-1, 2), holders.free, bends, joints
+        node_ptr, np.array(ends, dtype=np.int64).reshape(-1, 2), holders.free, bends, joints, riders
     )
     # copied out of the table: a strided array would be another type to the compiler, unless it has one element only
     l, d, m = (np.ascontiguousarray(segments[name]) for name in ("length", "diameter", "mass"))
@@ -89,33 +100,42 @@ def build(
         ],
         axis=1,
     )
+    wet_nodes = np.stack([to_nodes(h) for h in hydro.T], axis=1)
+    _add_ends(model, wet_nodes, node_ptr)
     mass = to_nodes(m * l)
     system = System(
         lines=lines,
         islands=islands,
         joints=joints,
+        riders=riders,
         tension=_tension(l, segments),
         bending=bending,
         weight=Weight(-env.gravity * mass, env.gravity * displaced, 0.5 * d),
-        morison=Morison(mass, np.stack([to_nodes(h) for h in hydro.T], axis=1), hydro),
+        morison=Morison(mass, wet_nodes, hydro),
         contact=build_contact(env, to_nodes(d * l)),
         friction=build_friction(model, to_nodes(d * l)),
         points=_points(model, len(holders.rest)),
+        rigid=build_rigid(model, holders.objects, holders.arm, holders.of_point),
         current=_current(env.current),
         sea=build_sea(env.waves),
         tracks=_tracks(motion, holders, clamps),
     )
-    state = new_state(int(node_ptr[-1]) + len(holders.rest))
+    state = new_state(rows_of(system), len(riders.row))
+    place_objects(holders.objects, riders, state)
     weight = env.gravity * (m - env.water_density * segments["area"])
     place_guess(model, system, state, l, weight)
-    arc = np.concatenate([np.concatenate([[0.0], np.cumsum(part)]) for part in np.split(l, np.cumsum(count)[:-1])])
+    arcs = [np.concatenate([[0.0], np.cumsum(part)]) for part in np.split(l, np.cumsum(count)[:-1])] if len(l) else []
+    arc = np.concatenate([*arcs, np.zeros(0)])
+    n = len(model.lines)
     names = Names(
         np.array([line.id for line in model.lines], dtype=np.int64),
         np.array([p.id for p in model.points], dtype=np.int64),
-        node_ptr,
-        np.concatenate([[0], np.cumsum(count)]).astype(np.int64),
-        l,
-        arc,
+        node_ptr[: n + 1],
+        segment_ptr[: n + 1],
+        l[: segment_ptr[n]],
+        arc[: node_ptr[n]],
+        [rod.id for rod in rods],
+        holders.objects.names,
     )
     return Built(
         system,
@@ -126,6 +146,47 @@ def build(
         hang_chains(model, system, state, l, weight),
         np.flatnonzero(holders.coupled),
     )
+
+
+def _riders(model: Model, holders: Holders, node_ptr, of_clamp, toward) -> Riders:
+    """Return what rides on the objects; the unknowns are numbered later."""
+    objects, lines, rods = holders.objects, len(model.lines), rigid_rods(model)
+    n = len(objects.names)
+    first = int(node_ptr[-1]) + len(holders.rest)
+    of_line, span = np.full(lines + len(rods), FLEXIBLE, dtype=np.int64), np.zeros((lines + len(rods), 2, 3))
+    for k, rod in enumerate(rods):
+        ends = [holders.number[Attachment("rod", rod.id, end)] for end in ("A", "B")]  # type: ignore[arg-type]
+        on = holders.of_point[ends[0]]
+        of_line[lines + k] = HELD if on < 0 else on
+        span[lines + k] = holders.arm[ends]
+    return Riders(
+        first + 2 * np.arange(n, dtype=np.int64),
+        holders.pin,
+        np.full(n, -1, dtype=np.int64),
+        np.full(n, -1, dtype=np.int64),
+        holders.of_point,
+        holders.arm,
+        of_line,
+        span,
+        of_clamp,
+        toward,
+    )
+
+
+def _add_ends(model: Model, nodes, node_ptr) -> None:
+    """Add the water at the ends of rods to their end nodes (nodes, 5): a half sphere's added mass, drag on the face."""
+    rho, types = model.environment.water_density, {t.name.lower(): t for t in model.rod_types}
+    for k, rod in enumerate(rigid_rods(model)):
+        kind, line = types[rod.rod_type.lower()], len(model.lines) + k
+        for i in (node_ptr[line], node_ptr[line + 1] - 1):
+            nodes[i, 1] += rho * kind.end_added_mass * np.pi * kind.diameter**3 / 12.0
+            nodes[i, 3] += 0.5 * rho * kind.end_drag * np.pi * kind.diameter**2 / 4.0
+
+
+def place_objects(objects: Objects, riders: Riders, state: State) -> None:
+    """Put the objects where they start."""
+    state.position[riders.row] = objects.position
+    state.attitude[...] = state.base[...] = objects.rotation.reshape(-1, 9)
 
 
 def build_failures(model: Model, motion: Motion | None = None, duration: float | None = None):

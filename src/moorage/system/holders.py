@@ -1,7 +1,8 @@
 """What line ends hold on to: points, and the ends of rods, on the ground, on bodies, or free.
 
-Each holder is one 3-vector: prescribed (where it stays, or how it moves) or unknown. A clamp adds a direction. Bodies
-that are fixed or coupled only carry; they need no rows of their own.
+Each holder is one 3-vector: prescribed (where it stays, or how it moves), unknown, or riding on an object (a rod or
+body that forces move, see `system.objects`). A clamp adds a direction. Bodies that are fixed or coupled only carry, and
+need no rows of their own.
 """
 
 from __future__ import annotations
@@ -12,11 +13,12 @@ from typing import NamedTuple
 import numpy as np
 
 from moorage.model import Attachment, Body, Failure, Model, Motion, Point, Rod
-from moorage.model.motion import rotation_matrices
+from moorage.model.motion import MOVED, rotation_matrices
+from moorage.system.objects import Objects, objects_of
 
 
 class Holders(NamedTuple):
-    """Holders of a model: its points in the order of the file, then the rods' ends."""
+    """Holders of a model: its points in the order of the file, released line ends, the rods' ends, then pins."""
 
     number: dict[Attachment, int]
     rest: np.ndarray  # (holders, 3) where they are described, m
@@ -25,6 +27,11 @@ class Holders(NamedTuple):
     moved: dict[int, np.ndarray]  # holder: (n, 3) positions at the times of the motion
     directions: dict[Attachment, np.ndarray]  # clamps: (3,) or (n, 3), the direction into the line
     joints: tuple[int, ...]  # holders that are free rods of no length
+    objects: Objects
+    of_point: np.ndarray  # (holders,) object that it rides on, -1
+    arm: np.ndarray  # (holders, 3) in the object's axes, m
+    turning: dict[Attachment, tuple[int, np.ndarray]]  # clamps on objects: the object, the direction in its axes
+    pin: np.ndarray  # (objects,) holder that an object is pinned to, -1
 
 
 def timed_failures(model: Model) -> list[Failure]:
@@ -59,8 +66,11 @@ def holders_of(
     bodies = motion.resolve_bodies(model) if motion else {}
     points = motion.resolve(model, duration) if motion else {}
     rods = motion.resolve_rods(model) if motion else {}
+    objects = objects_of(model)
     number, rest, free, coupled, moved, directions = {}, [], [], [], {}, {}
     joints: list[int] = []
+    riding: dict[int, tuple[int, np.ndarray]] = {}
+    turning: dict[Attachment, tuple[int, np.ndarray]] = {}
     failing = timed_failures(model)
 
     def add(position, is_free, is_coupled, track):
@@ -71,35 +81,73 @@ def holders_of(
             moved[len(rest) - 1] = track
         return len(rest) - 1
 
+    def ride(o: int, arm) -> int:
+        """Add a holder at an arm on an object."""
+        at = add(objects.position[o] + objects.rotation[o] @ arm, False, False, None)
+        riding[at] = o, np.asarray(arm, dtype=float)
+        return at
+
     for p in model.points:
+        name, carrier = Attachment("point", p.id), objects.number.get(("body", p.body))
+        if carrier is not None:
+            number[name] = ride(carrier, np.array(p.position))
+            continue
         position, track = carried(model, p, bodies, points.get(p.id), np.array(p.position))
         on_moved = p.body is not None and _body(model, p.body).kind != "fixed"
         at = add(position, p.kind == "free" and p.body is None, p.kind == "coupled" or on_moved, track)
-        number[Attachment("point", p.id)] = at
+        number[name] = at
     for k, failure in enumerate(failing):
         # a free point that the lines of a failure take along; until then it stays where they are tied
         at = number.get(failure.attachment, 0)
         number[released_end(k)] = add(np.array(rest[at]), k in released, False, None)
     for rod in model.rods:
+        end_a, end_b = Attachment("rod", rod.id, "A"), Attachment("rod", rod.id, "B")
+        own, carrier = objects.number.get(("rod", rod.id)), objects.number.get(("body", rod.body))
+        length = float(np.linalg.norm(np.subtract(rod.end_b, rod.end_a)))
+        axis = np.array(rod.direction)
+        if own is not None:
+            number[end_a], number[end_b] = ride(own, np.zeros(3)), ride(own, np.array([length, 0.0, 0.0]))
+            turning[end_a], turning[end_b] = (own, np.array([-1.0, 0.0, 0.0])), (own, np.array([1.0, 0.0, 0.0]))
+            continue
+        if carrier is not None:
+            number[end_a] = ride(carrier, np.array(rod.end_a))
+            number[end_b] = ride(carrier, np.array(rod.end_b)) if rod.segments else number[end_a]
+            if rod.kind != "pinned":
+                turning[end_a], turning[end_b] = (carrier, -axis), (carrier, axis)
+            continue
         at_a, direction = rods.get(rod.id, (None, None))
         on_moved = rod.body is not None and _body(model, rod.body).kind != "fixed"
-        is_free, is_coupled = rod.kind == "free" and rod.body is None, rod.kind == "coupled" or on_moved
+        is_free = rod.kind == "free" and rod.body is None
+        is_coupled = rod.kind in MOVED or on_moved
         a, track_a = carried(model, rod, bodies, at_a, np.array(rod.end_a))
         axis, axis_track = carried_axis(model, rod, bodies, direction)
-        first = add(a, is_free, is_coupled, track_a)
-        number[Attachment("rod", rod.id, "A")] = first
-        if rod.segments == 0:
-            number[Attachment("rod", rod.id, "B")] = first
-            if is_free:
-                joints.append(first)
-        else:
-            length = float(np.linalg.norm(np.subtract(rod.end_b, rod.end_a)))
+        number[end_a] = number[end_b] = first = add(a, is_free, is_coupled, track_a)
+        if rod.segments:
             track_b = None if track_a is None else track_a + length * axis_track
-            number[Attachment("rod", rod.id, "B")] = add(a + length * axis, is_free, is_coupled, track_b)
-        if not is_free:
+            number[end_b] = add(a + length * axis, is_free, is_coupled, track_b)
+        elif is_free:
+            joints.append(first)
+        if rod.kind not in ("free", "pinned", "coupled-pinned"):
             toward = axis if axis_track is None else axis_track
-            directions[Attachment("rod", rod.id, "A")] = -toward
-            directions[Attachment("rod", rod.id, "B")] = toward
+            directions[end_a], directions[end_b] = -toward, toward
+    pin = np.full(len(objects.names), -1, dtype=np.int64)
+    for o, (kind, id) in enumerate(objects.names):
+        thing = objects.things[o]
+        if thing.kind == "free":
+            continue
+        carrier = objects.number.get(("body", thing.body)) if isinstance(thing, Rod) else None
+        if carrier is not None:
+            pin[o] = ride(carrier, np.array(thing.end_a))  # type: ignore[union-attr]
+            continue
+        place = np.array(thing.end_a if isinstance(thing, Rod) else thing.position)
+        track = (rods if kind == "rod" else bodies).get(id, (None, None))[0]
+        if isinstance(thing, Rod) and thing.body is not None:
+            place, track = carried(model, thing, bodies, None, place)
+        pin[o] = add(place, False, thing.kind == "coupled-pinned", track)
+    count = len(rest)
+    of_point, arm = np.full(count, -1, dtype=np.int64), np.zeros((count, 3))
+    for holder, (o, at) in riding.items():
+        of_point[holder], arm[holder] = o, at
     return Holders(
         number,
         np.array(rest, dtype=float).reshape(-1, 3),
@@ -108,6 +156,11 @@ def holders_of(
         moved,
         directions,
         tuple(joints),
+        objects,
+        of_point,
+        arm,
+        turning,
+        pin,
     )
 
 

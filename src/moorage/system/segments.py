@@ -7,7 +7,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from moorage.model import BendStiffener, BuoyancyModules, Curve, Line, LineType, Model
+from moorage.model import BendStiffener, BuoyancyModules, Curve, Line, LineType, Model, Rod
+from moorage.system.objects import rigid_rods, rod_length
 
 _FIELDS = (
     "length",  # unstretched, m
@@ -31,8 +32,9 @@ _DTYPE = [(name, float) for name in _FIELDS] + [(name, object) for name in _TABL
 
 
 def segment_table(model: Model) -> np.ndarray:
-    """Return a structured array (segments,) in the order of the file, in SI units."""
+    """Return a structured array (segments,), those of lines in the order of the file and then of rods, in SI units."""
     parts = [_line_table(model, line) for line in model.lines]
+    parts += [_rod_table(model, rod) for rod in rigid_rods(model)]
     return np.concatenate(parts) if parts else np.zeros(0, dtype=_DTYPE)
 
 
@@ -48,6 +50,20 @@ def _line_table(model: Model, line: Line) -> np.ndarray:
     for stiffener in line.stiffeners:
         _add_stiffener(table if stiffener.end == "A" else table[::-1], stiffener)
     return table
+
+
+def _rod_table(model: Model, rod: Rod) -> np.ndarray:
+    """Return the segments of a rod: nothing is stretched or bent between its nodes."""
+    kind = next(t for t in model.rod_types if t.name.lower() == rod.rod_type.lower())
+    rows = np.zeros(rod.segments, dtype=_DTYPE)
+    rows["length"] = rod_length(rod) / rod.segments
+    rows["diameter"] = rows["width"] = rows["girth"] = kind.diameter
+    rows["area"] = np.pi / 4.0 * kind.diameter**2
+    rows["mass"] = kind.mass_per_length
+    rows["added_normal"], rows["drag_normal"] = kind.transverse_added_mass, kind.transverse_drag
+    for name in _TABLES:
+        rows[name] = 0.0
+    return rows
 
 
 def _type_rows(kind: LineType, count: int) -> np.ndarray:

@@ -1,0 +1,236 @@
+"""Rigid bodies: rotations, inertia, weight and water on a body by itself, and the waterplane of a rod.
+
+Translation in global axes, rotation in those of the body, where the inertia is constant. R takes body axes to global
+ones, Omega is the angular velocity in body axes, w = R Omega. A force f at an arm rho0 (body axes) gives the moment
+rho0 x R^T f. Added mass A per axis, velocity u against the water, in Kirchhoff's form:
+
+    force  -(A u' + w x A u - A (w x u)),    moment  -(u x A u)
+
+For the same A on all axes, MoorDyn's usual input, only A u' is left.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from moorage._jit import inlined
+from moorage._vec3 import (
+    add,
+    cross,
+    dot,
+    mat_t_times,
+    mat_times,
+    scale,
+    sub,
+    sym_times,
+)
+from moorage.physics.point import wet_fraction
+
+
+class RigidLoads(NamedTuple):
+    """Parameters of the objects, in their own axes about their reference points."""
+
+    mass: np.ndarray  # (objects,) kg, without the nodes of rods
+    centre: np.ndarray  # (objects, 3) centre of gravity of that mass, m
+    inertia: np.ndarray  # (objects, 9) about that centre, with added inertia, kg m2
+    weight: np.ndarray  # (objects,) upwards, -g m, N
+    buoyancy: np.ndarray  # (objects,) wet, N
+    buoyant: np.ndarray  # (objects, 3) centre of buoyancy, m
+    displaced: np.ndarray  # (objects,) mass of water, wet, kg
+    radius: np.ndarray  # (objects,) of the sphere of equal volume, m
+    added: np.ndarray  # (objects, 3) added mass, wet, kg
+    drag: np.ndarray  # (objects, 6) 0.5 rho CdA, wet, N s2/m2 and N m s2
+    slender: np.ndarray  # (objects,) bool: a rod along its first axis, which has no spin
+    waterplane: np.ndarray  # (lines,) of a rod, rho g pi d^4 / 64, N m
+    size: np.ndarray  # (objects,) length that makes a distance of an angle, m
+    force: np.ndarray  # (objects, 3) constant force, N
+    force_turns: np.ndarray  # (objects,) bool: it turns with the object
+    damping: np.ndarray  # (objects, 2, 3) linear N s/m and quadratic N s2/m2 damping of the velocity
+    damping_turns: np.ndarray  # (objects,) bool
+
+
+@inlined
+def rotation(p):
+    """Return exp([p]) of a rotation vector, row by row."""
+    a2 = dot(p, p)
+    if a2 < 1e-8:
+        s, c = 1.0 - a2 / 6.0, 0.5 - a2 / 24.0
+    else:
+        a = math.sqrt(a2)
+        s, c = math.sin(a) / a, (1.0 - math.cos(a)) / a2
+    x, y, z = p
+    return (
+        1.0 - c * (y * y + z * z), c * x * y - s * z, c * x * z + s * y,
+        c * x * y + s * z, 1.0 - c * (x * x + z * z), c * y * z - s * x,
+        c * x * z - s * y, c * y * z + s * x, 1.0 - c * (x * x + y * y),
+    )  # fmt: skip
+
+
+@inlined
+def turning_rate(p, omega):
+    """Return dp/dt of R = R0 exp([p]) that turns with omega (body axes): T(p)^-1 omega."""
+    a2 = dot(p, p)
+    if a2 < 1e-4:
+        f = 1.0 / 12.0 + a2 / 720.0
+    else:
+        half = 0.5 * math.sqrt(a2)
+        f = (1.0 - half / math.tan(half)) / a2
+    turned = cross(p, omega)
+    return add(add(omega, scale(0.5, turned)), scale(f, cross(p, turned)))
+
+
+@inlined
+def skew(u):
+    """Matrix of u x."""
+    x, y, z = u
+    return 0.0, -z, y, z, 0.0, -x, -y, x, 0.0
+
+
+@inlined
+def arm_motion(R, V, A, omega, alpha, rho):
+    """Velocity and acceleration of what rides at rho (body axes) on an object; V, A global, omega, alpha body axes."""
+    turn = cross(omega, rho)
+    return add(V, mat_times(R, turn)), add(A, mat_times(R, add(cross(alpha, rho), cross(omega, turn))))
+
+
+@inlined
+def diagonal_turned(R, d):
+    """R diag(d) R^T, symmetric."""
+    a, b, c = d
+    r = R
+    return (
+        a * r[0] * r[0] + b * r[1] * r[1] + c * r[2] * r[2],
+        a * r[0] * r[3] + b * r[1] * r[4] + c * r[2] * r[5],
+        a * r[0] * r[6] + b * r[1] * r[7] + c * r[2] * r[8],
+        a * r[3] * r[3] + b * r[4] * r[4] + c * r[5] * r[5],
+        a * r[3] * r[6] + b * r[4] * r[7] + c * r[5] * r[8],
+        a * r[6] * r[6] + b * r[7] * r[7] + c * r[8] * r[8],
+    )
+
+
+@inlined
+def spin_terms(inertia, omega, alpha, c):
+    """Moment -(J alpha + omega x J omega), body axes, and its block c.mass J + c.damping ([omega] J - [J omega])."""
+    L = mat_times(inertia, omega)
+    moment = scale(-1.0, add(mat_times(inertia, alpha), cross(omega, L)))
+    J, k = inertia, c.damping
+    x, y, z = omega
+    l0, l1, l2 = L
+    m = c.mass
+    return moment, (
+        m * J[0] + k * (y * J[6] - z * J[3]),
+        m * J[1] + k * (y * J[7] - z * J[4] + l2),
+        m * J[2] + k * (y * J[8] - z * J[5] - l1),
+        m * J[3] + k * (z * J[0] - x * J[6] - l2),
+        m * J[4] + k * (z * J[1] - x * J[7]),
+        m * J[5] + k * (z * J[2] - x * J[8] + l0),
+        m * J[6] + k * (x * J[3] - y * J[0] + l1),
+        m * J[7] + k * (x * J[4] - y * J[1] - l0),
+        m * J[8] + k * (x * J[5] - y * J[2]),
+    )
+
+
+@inlined
+def wet_body(p, o, z):
+    """Wet fraction of an object's own volume with its reference point z above the surface, and its slope (1/m)."""
+    return wet_fraction(p.radius[o], z)
+
+
+@inlined
+def water_terms(p, o, wet, R, V, A, omega, water, c):
+    """Drag and added mass on the translation of an object, at its reference point.
+
+    Returns force (N), moment (N m, body axes) and the force's symmetric block by the translation.
+    """
+    _, flow, swell = water
+    u = sub(V, flow)
+    speed = math.sqrt(dot(u, u))
+    D = diagonal_turned(R, (wet * p.drag[o, 0], wet * p.drag[o, 1], wet * p.drag[o, 2]))
+    added = wet * p.added[o, 0], wet * p.added[o, 1], wet * p.added[o, 2]
+    M = diagonal_turned(R, added)
+    Du, w = sym_times(D, u), mat_times(R, omega)
+    momentum = sym_times(M, u)
+    force = scale(-speed, Du)
+    force = sub(force, sym_times(M, sub(A, swell)))
+    force = sub(force, sub(cross(w, momentum), sym_times(M, cross(w, u))))
+    force = add(force, scale(wet * p.displaced[o], swell))
+    moment = scale(-1.0, mat_t_times(R, cross(u, momentum)))
+    k = c.damping
+    f = 0.5 * k / (speed + 1e-9)  # the exact derivative is not symmetric where D is not isotropic: half of both
+    block = (
+        c.mass * M[0] + k * speed * D[0] + 2.0 * f * Du[0] * u[0],
+        c.mass * M[1] + k * speed * D[1] + f * (Du[0] * u[1] + Du[1] * u[0]),
+        c.mass * M[2] + k * speed * D[2] + f * (Du[0] * u[2] + Du[2] * u[0]),
+        c.mass * M[3] + k * speed * D[3] + 2.0 * f * Du[1] * u[1],
+        c.mass * M[4] + k * speed * D[4] + f * (Du[1] * u[2] + Du[2] * u[1]),
+        c.mass * M[5] + k * speed * D[5] + 2.0 * f * Du[2] * u[2],
+    )
+    return force, moment, block
+
+
+@inlined
+def turning_drag(p, o, wet, omega, c):
+    """Moment of drag on the rotation of an object, body axes, and its symmetric block."""
+    d = wet * p.drag[o, 3], wet * p.drag[o, 4], wet * p.drag[o, 5]
+    rate = math.sqrt(dot(omega, omega))
+    Dw = d[0] * omega[0], d[1] * omega[1], d[2] * omega[2]
+    k = c.damping
+    f = 0.5 * k / (rate + 1e-9)
+    return scale(-rate, Dw), (
+        k * rate * d[0] + 2.0 * f * Dw[0] * omega[0],
+        f * (Dw[0] * omega[1] + Dw[1] * omega[0]),
+        f * (Dw[0] * omega[2] + Dw[2] * omega[0]),
+        k * rate * d[1] + 2.0 * f * Dw[1] * omega[1],
+        f * (Dw[1] * omega[2] + Dw[2] * omega[1]),
+        k * rate * d[2] + 2.0 * f * Dw[2] * omega[2],
+    )
+
+
+@inlined
+def damping_terms(linear, quadratic, v, c):
+    """Force of linear and quadratic damping of a velocity axis by axis, and its diagonal block."""
+    return (
+        -(linear[0] + quadratic[0] * abs(v[0])) * v[0],
+        -(linear[1] + quadratic[1] * abs(v[1])) * v[1],
+        -(linear[2] + quadratic[2] * abs(v[2])) * v[2],
+    ), (
+        c.damping * (linear[0] + 2.0 * quadratic[0] * abs(v[0])),
+        c.damping * (linear[1] + 2.0 * quadratic[1] * abs(v[1])),
+        c.damping * (linear[2] + 2.0 * quadratic[2] * abs(v[2])),
+    )
+
+
+@inlined
+def upright_moment(strength, q0, up, c):
+    """Moment of a rod's waterplane, body axes, and its block, row by row.
+
+    strength: rho g pi d^4 / 64 times the wet fraction of end A less that of end B, N m; q0: the rod's direction from A
+    to B, up: the vertical, both in body axes. It turns the dry end up, with rho g I sin(tilt).
+    """
+    moment = scale(strength, cross(q0, up))
+    # d up = [up] d theta, so that the block -d moment is -strength [q0] [up] = strength ((q0.up) I - up q0^T)
+    k, s = c.stiffness * strength, dot(q0, up)
+    a, b = up, q0
+    return moment, (
+        k * (s - a[0] * b[0]), -k * a[0] * b[1], -k * a[0] * b[2],
+        -k * a[1] * b[0], k * (s - a[1] * b[1]), -k * a[1] * b[2],
+        -k * a[2] * b[0], -k * a[2] * b[1], k * (s - a[2] * b[2]),
+    )  # fmt: skip
+
+
+@inlined
+def lever(arm, pull):
+    """Minus the derivative of the moment arm x (R^T f) to a right increment of the rotation, -[arm][pull].
+
+    arm and pull = R^T f in body axes; [a][b] = b a^T - (a.b) I.
+    """
+    s = dot(arm, pull)
+    a, b = arm, pull
+    return (
+        s - b[0] * a[0], -b[0] * a[1], -b[0] * a[2],
+        -b[1] * a[0], s - b[1] * a[1], -b[1] * a[2],
+        -b[2] * a[0], -b[2] * a[1], s - b[2] * a[2],
+    )  # fmt: skip

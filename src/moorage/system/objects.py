@@ -1,0 +1,148 @@
+"""Rods and bodies that forces move: what they are, where they start, and what they weigh.
+
+A rod's first axis points from its end A to end B, its reference point is end A; a body has the axes of the file.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from moorage.model import Body, Environment, Model, Rod
+from moorage.model.motion import rotation_matrices
+from moorage.physics.rigid import RigidLoads
+
+MOVING = ("free", "pinned", "coupled-pinned")
+
+
+class Objects(NamedTuple):
+    """Objects of a model: rods, then bodies, so that a rod pinned to a body comes before it."""
+
+    names: list[tuple[str, int]]  # "rod" or "body", id
+    things: list[Rod | Body]
+    number: dict[tuple[str, int | None], int]
+    position: np.ndarray  # (objects, 3) of the reference points at the start, m
+    rotation: np.ndarray  # (objects, 3, 3) from their axes to global ones
+
+
+def moves(thing: Rod | Body) -> bool:
+    """Return whether forces move a rod or a body; rods of no length are only ends of lines."""
+    if isinstance(thing, Body):
+        return thing.kind in MOVING
+    return bool(thing.segments) and thing.kind in MOVING and not (thing.kind == "free" and thing.body is not None)
+
+
+def objects_of(model: Model) -> Objects:
+    """List the objects of a model."""
+    every: tuple[Rod | Body, ...] = (*model.rods, *model.bodies)
+    things = [thing for thing in every if moves(thing)]
+    names = [("rod" if isinstance(thing, Rod) else "body", thing.id) for thing in things]
+    frames = [_frame(model, thing) for thing in things]
+    return Objects(
+        names,
+        things,
+        {name: k for k, name in enumerate(names)},
+        np.array([x for x, _ in frames], dtype=float).reshape(-1, 3),
+        np.array([R for _, R in frames], dtype=float).reshape(-1, 3, 3),
+    )
+
+
+def _frame(model: Model, thing: Rod | Body) -> tuple[np.ndarray, np.ndarray]:
+    """Return where an object starts and how it is turned."""
+    if isinstance(thing, Body):
+        return np.array(thing.position), rotation_matrices(np.array([thing.rotation]))[0]
+    place, axis = np.array(thing.end_a), np.array(thing.direction)
+    if thing.body is not None:
+        body = next(body for body in model.bodies if body.id == thing.body)
+        turn = rotation_matrices(np.array([body.rotation]))[0]
+        place, axis = np.array(body.position) + turn @ place, turn @ axis
+    return place, frame_along(axis)
+
+
+def frame_along(axis: np.ndarray) -> np.ndarray:
+    """Return a rotation (3, 3) whose first column is a unit vector."""
+    other = np.eye(3)[np.argmin(np.abs(axis))]
+    second = np.cross(axis, other)
+    second /= np.linalg.norm(second)
+    return np.column_stack([axis, second, np.cross(axis, second)])
+
+
+def rigid_rods(model: Model) -> list[Rod]:
+    """Return the rods that have nodes, in the order of the file."""
+    return [rod for rod in model.rods if rod.segments]
+
+
+def rod_length(rod: Rod) -> float:
+    """Return the length of a rod, m."""
+    return float(np.linalg.norm(np.subtract(rod.end_b, rod.end_a)))
+
+
+def lumping(model: Model, rod: Rod) -> float:
+    """Return what a rod's moment of inertia across its axis has more than its lumped nodes, kg m2.
+
+    m L^2 / 12 + m d^2 / 16 less m L^2 (1 / 12 + 1 / (6 N^2)).
+    """
+    kind = next(t for t in model.rod_types if t.name.lower() == rod.rod_type.lower())
+    L = rod_length(rod)
+    return kind.mass_per_length * L * (kind.diameter**2 / 16.0 - L**2 / (6.0 * rod.segments**2))
+
+
+def build_rigid(model: Model, objects: Objects, arm: np.ndarray, of_point: np.ndarray) -> RigidLoads:
+    """Return the loads of the objects by themselves; arm (points, 3) of what rides on them gives their size."""
+    env, n = model.environment, len(objects.names)
+    zero3 = np.zeros((n, 3))
+    p = RigidLoads(
+        np.zeros(n), zero3.copy(), np.zeros((n, 9)), np.zeros(n), np.zeros(n), zero3.copy(), np.zeros(n),
+        np.full(n, 1e-3), zero3.copy(), np.zeros((n, 6)), np.zeros(n, dtype=bool), waterplanes(model), np.ones(n),
+        zero3.copy(), np.zeros(n, dtype=bool), np.zeros((n, 2, 3)), np.zeros(n, dtype=bool),
+    )  # fmt: skip
+    for o, thing in enumerate(objects.things):
+        inertia = np.zeros((3, 3))
+        if isinstance(thing, Rod):
+            p.slender[o] = True
+            inertia += lumping(model, thing) * np.diag([0.0, 1.0, 1.0])
+        else:
+            fill_body(p, o, thing, env, model.flavour)
+            inertia += np.diag(thing.inertia) + env.water_density * thing.volume * np.diag(thing.added_mass[3:])
+            for rod in model.rods:
+                if rod.body == thing.id and rod.segments and rod.kind != "pinned":
+                    d = np.array(rod.direction)
+                    inertia += lumping(model, rod) * (np.eye(3) - np.outer(d, d))
+        p.inertia[o] = inertia.ravel()
+        reach = np.linalg.norm(arm[of_point == o], axis=1).max(initial=0.0)
+        gyration = np.sqrt(np.trace(inertia) / (2.0 * thing.mass)) if isinstance(thing, Body) and thing.mass else 0.0
+        p.size[o] = max(reach, gyration, 1e-2)
+    for load in model.external_loads:
+        o = objects.number.get((load.target, load.target_id), -1)
+        if o >= 0:
+            p.force[o] += load.force
+            p.force_turns[o] = p.damping_turns[o] = load.local
+            p.damping[o] += [three(load.linear_damping), three(load.quadratic_damping)]
+    return p
+
+
+def three(values) -> np.ndarray:
+    """Spread one or two (transverse, axial) values over three axes."""
+    values = np.atleast_1d(np.array(values, dtype=float))
+    return np.array([values[0], values[0], values[1]]) if len(values) == 2 else (np.tile(values, 3))[:3]
+
+
+def fill_body(p: RigidLoads, o: int, body: Body, env: Environment, flavour: str) -> None:
+    """Set the loads of a body."""
+    rho, g = env.water_density, env.gravity
+    p.mass[o], p.weight[o] = body.mass, -g * body.mass
+    p.centre[o] = body.centre_of_gravity
+    # MoorDyn lets buoyancy act at the centre of gravity
+    p.buoyant[o] = body.centre_of_gravity if flavour.startswith("MoorDyn") else 0.0
+    p.displaced[o], p.buoyancy[o] = rho * body.volume, rho * g * body.volume
+    p.radius[o] = max((0.75 * body.volume / np.pi) ** (1.0 / 3.0), 1e-3)
+    p.added[o] = rho * body.volume * np.array(body.added_mass[:3])
+    p.drag[o] = 0.5 * rho * np.array(body.drag_area)
+
+
+def waterplanes(model: Model) -> np.ndarray:
+    """Return rho g pi d^4 / 64 of every line (0) and rod, N m."""
+    env, diameter = model.environment, {t.name.lower(): t.diameter for t in model.rod_types}
+    rods = [np.pi / 64.0 * diameter[rod.rod_type.lower()] ** 4 for rod in rigid_rods(model)]
+    return env.water_density * env.gravity * np.array([0.0] * len(model.lines) + rods)
