@@ -372,7 +372,9 @@ class March:
     def _not_a_number(self, row: int, line: int, record: Record) -> SimulationError:
         """Report a force on the end of a line that its motion did not show, because that end is held."""
         time = float(record.time[row])
-        cause = f"on line {self.built.names.lines[line]}: the force on one of its ends is not a number"
+        names, lines = self.built.names, len(self.built.names.lines)
+        what = f"line {names.lines[line]}" if line < lines else f"rod {names.rods[line - lines]}"
+        cause = f"on {what}: the force on one of its ends is not a number"
         return self._stopped(cause, time, record, row, int(np.searchsorted(record.node_time, time)))
 
     def _stopped(self, why: str, time: float, record: Record, rows: int, node_rows: int) -> SimulationError:

@@ -78,14 +78,17 @@ def rod_length(rod: Rod) -> float:
     return float(np.linalg.norm(np.subtract(rod.end_b, rod.end_a)))
 
 
-def lumping(model: Model, rod: Rod) -> float:
-    """Return what a rod's moment of inertia across its axis has more than its lumped nodes, kg m2.
+def beyond_nodes(model: Model, rod: Rod, axis: np.ndarray) -> np.ndarray:
+    """Return what a rod's inertia has more than that of its lumped nodes, (3, 3), kg m2, with its axis (3,) given.
 
-    m L^2 / 12 + m d^2 / 16 less m L^2 (1 / 12 + 1 / (6 N^2)).
+    Across the axis m L^2 / 12 + m d^2 / 16 less m L^2 (1 / 12 + 1 / (6 N^2)), about the axis m d^2 / 8.
     """
     kind = next(t for t in model.rod_types if t.name.lower() == rod.rod_type.lower())
-    L = rod_length(rod)
-    return kind.mass_per_length * L * (kind.diameter**2 / 16.0 - L**2 / (6.0 * rod.segments**2))
+    L, d = rod_length(rod), kind.diameter
+    mass = kind.mass_per_length * L
+    along = np.outer(axis, axis)
+    across = mass * (d**2 / 16.0 - L**2 / (6.0 * rod.segments**2))
+    return across * (np.eye(3) - along) + mass * d**2 / 8.0 * along
 
 
 def build_rigid(model: Model, objects: Objects, arm: np.ndarray, of_point: np.ndarray) -> RigidLoads:
@@ -101,14 +104,13 @@ def build_rigid(model: Model, objects: Objects, arm: np.ndarray, of_point: np.nd
         inertia = np.zeros((3, 3))
         if isinstance(thing, Rod):
             p.slender[o] = True
-            inertia += lumping(model, thing) * np.diag([0.0, 1.0, 1.0])
+            inertia += beyond_nodes(model, thing, np.array([1.0, 0.0, 0.0]))
         else:
             fill_body(p, o, thing, env, model.flavour)
             inertia += np.diag(thing.inertia) + env.water_density * thing.volume * np.diag(thing.added_mass[3:])
             for rod in model.rods:
                 if rod.body == thing.id and rod.segments and rod.kind != "pinned":
-                    d = np.array(rod.direction)
-                    inertia += lumping(model, rod) * (np.eye(3) - np.outer(d, d))
+                    inertia += beyond_nodes(model, rod, np.array(rod.direction))
         p.inertia[o] = inertia.ravel()
         reach = np.linalg.norm(arm[of_point == o], axis=1).max(initial=0.0)
         gyration = np.sqrt(np.trace(inertia) / (2.0 * thing.mass)) if isinstance(thing, Body) and thing.mass else 0.0
