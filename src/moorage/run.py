@@ -37,6 +37,7 @@ from moorage.results import (
     warn_of_tight_bends,
     watch_list,
 )
+from moorage.results.carried import carried_of
 from moorage.simulation import Simulation
 from moorage.solve.clamps import warn_of_clamps
 from moorage.solve.march import March, Settings, default_tolerance
@@ -276,4 +277,5 @@ def _layout(
     index = make_index(model, built.names)
     bending = bending_of(model, built, index.allowed_bend_radius)
     outputs = plan_outputs(model, built, motion)
-    return Layout(index, outputs, node_time, bending, seabed_of(model, built), model.environment.waves, static or {})
+    seabed, waves = seabed_of(model, built), model.environment.waves
+    return Layout(index, outputs, node_time, bending, seabed, waves, carried_of(model), static or {})

@@ -234,3 +234,42 @@ def lever(arm, pull):
         -b[1] * a[0], s - b[1] * a[1], -b[1] * a[2],
         -b[2] * a[0], -b[2] * a[1], s - b[2] * a[2],
     )  # fmt: skip
+
+
+@inlined
+def mass_load(p, o, R, A, omega, alpha):
+    """Inertia and weight of an object's own mass at its centre of gravity, N, and the acceleration there."""
+    centre = p.centre[o, 0], p.centre[o, 1], p.centre[o, 2]
+    a = add(A, mat_times(R, add(cross(alpha, centre), cross(omega, cross(omega, centre)))))
+    m = p.mass[o]
+    return (-m * a[0], -m * a[1], p.weight[o] - m * a[2]), centre
+
+
+@inlined
+def given_load(p, o, R, V, c):
+    """Given force and damping on an object (global axes), and the block of the damping."""
+    force = p.force[o, 0], p.force[o, 1], p.force[o, 2]
+    if p.force_turns[o]:
+        force = mat_times(R, force)
+    linear = p.damping[o, 0, 0], p.damping[o, 0, 1], p.damping[o, 0, 2]
+    quadratic = p.damping[o, 1, 0], p.damping[o, 1, 1], p.damping[o, 1, 2]
+    turns = p.damping_turns[o]
+    damping, d = damping_terms(linear, quadratic, mat_t_times(R, V) if turns else V, c)
+    if turns:
+        return add(force, mat_times(R, damping)), diagonal_turned(R, d)
+    return add(force, damping), (d[0], 0.0, 0.0, d[1], 0.0, d[2])
+
+
+@inlined
+def body_load(p, o, inertia, z, R, V, A, omega, alpha, water, c):
+    """Force (global) and moment (its own axes) on an object by itself, with its reference point at level z."""
+    wet = wet_body(p, o, z - water[0])[0]
+    moment = spin_terms(inertia, omega, alpha, c)[0]
+    force, centre = mass_load(p, o, R, A, omega, alpha)
+    moment = add(moment, cross(centre, mat_t_times(R, force)))
+    lift = (0.0, 0.0, wet * p.buoyancy[o])
+    buoyant = p.buoyant[o, 0], p.buoyant[o, 1], p.buoyant[o, 2]
+    moment = add(moment, cross(buoyant, mat_t_times(R, lift)))
+    hydro, turn, _ = water_terms(p, o, wet, R, V, A, omega, water, c)
+    moment = add(moment, add(turn, turning_drag(p, o, wet, omega, c)[0]))
+    return add(add(force, lift), add(hydro, given_load(p, o, R, V, c)[0])), moment

@@ -98,7 +98,7 @@ class Bending:
 
 def bending_of(model: Model, built: Built, allowed: np.ndarray) -> Bending | None:
     """Return what the columns of cables need; None for a model without, unless it asks for MoorDyn's letter K."""
-    stiff = built.system.lines.bends
+    stiff = built.system.lines.bends[: len(built.names.lines)]
     if not stiff.any() and not any("K" in line.outputs for line in model.lines):
         return None
     names = built.names

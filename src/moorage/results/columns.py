@@ -9,6 +9,7 @@ import numpy as np
 
 from moorage.model import Waves
 from moorage.results.bending import COORDINATES, MOMENTS, Bending
+from moorage.results.carried import Carried
 from moorage.results.channels import Output
 from moorage.results.index import Index
 from moorage.results.sea import ELEVATION, sea_columns
@@ -50,6 +51,8 @@ class Layout:
         For models with friction or bathymetry: what their columns need.
     waves : Waves or None
         The sea, where there is one.
+    carried : Carried or None
+        For models with rods or bodies: what their columns need.
     static : mapping of str to (lines,) float
         Tensions of the static solution that a run starts from.
     """
@@ -60,6 +63,7 @@ class Layout:
     bending: Bending | None = None
     seabed: Seabed | None = None
     waves: Waves | None = None
+    carried: Carried | None = None
     static: Mapping[str, np.ndarray] = field(default_factory=dict)
 
     @property
@@ -73,7 +77,16 @@ class Layout:
         times = ("time", "node_time") if self.node_time == "node_time" else ("time",)
         sea = ELEVATION if self.waves else ()
         at_ends = (MOMENTS if self.bending else ()) + (UPLIFT if self.seabed else ())
-        return times + sea + LINE_VARIABLES + at_ends + self.histories + tuple(output.name for output in self.outputs)
+        carried = self.carried.names if self.carried else ()
+        return (
+            times
+            + sea
+            + LINE_VARIABLES
+            + carried
+            + at_ends
+            + self.histories
+            + tuple(output.name for output in self.outputs)
+        )
 
     @property
     def integrals(self) -> dict[str, str]:
@@ -91,7 +104,8 @@ class Layout:
     @property
     def sizes(self) -> dict[str, int]:
         """Length of every dimension but time."""
-        return self.index.sizes | (self.seabed.sizes if self.seabed else {})
+        carried = self.carried.sizes if self.carried else {}
+        return self.index.sizes | carried | (self.seabed.sizes if self.seabed else {})
 
     def coordinates(self) -> dict[str, np.ndarray]:
         """Return the coordinates of the rows; those of nodes and segments only where there are histories of them."""
@@ -99,7 +113,8 @@ class Layout:
         unused = set(COORDINATES) - set(self.bending.coordinates if self.bending else ())
         known = self.index.coordinates().items()
         rows = {n: values for n, values in known if VARIABLES[n].dims not in left_out and n not in unused}
-        return rows | (self.seabed.coordinates if self.seabed else {}) | dict(self.static)
+        carried = self.carried.coordinates if self.carried else {}
+        return rows | carried | (self.seabed.coordinates if self.seabed else {}) | dict(self.static)
 
     def dims(self, name: str) -> tuple[str, ...]:
         """Return the dimensions of a variable over time."""
@@ -127,6 +142,7 @@ class Layout:
             "anchor_uplift_angle": uplift_angle(anchor, block["grounded_length"]),
             **(self.bending.columns(block) if self.bending else {}),
             **(self.seabed.columns(block) if self.seabed else {}),
+            **(self.carried.columns(block) if self.carried else {}),
             **(sea_columns(self.waves, block["time"]) if self.waves else {}),
             **{output.name: output.evaluate(block) for output in self.outputs},
         }

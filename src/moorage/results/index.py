@@ -71,7 +71,7 @@ class Index:
 def make_index(model: Model, names: Names) -> Index:
     """Label the arrays of a built model."""
     starts = np.delete(names.arc_length, names.node_ptr[1:] - 1)  # a segment begins at every node but the last
-    holders, segments = _holders(model), segment_table(model)
+    holders, segments = _holders(model), segment_table(model)[: names.segment_ptr[-1]]
     sections = [section for line in model.lines for section in line.sections]
     allowed = [model.line_type(section.line_type).minimum_bend_radius or 0.0 for section in sections]
     return Index(

@@ -33,9 +33,9 @@ from moorage._vec3 import (
 from moorage.layout import line_nodes, point_row, water_of
 from moorage.physics.bending import end_hinge
 from moorage.physics.rigid import (
-    damping_terms,
-    diagonal_turned,
+    given_load,
     lever,
+    mass_load,
     skew,
     spin_terms,
     turning_drag,
@@ -117,27 +117,16 @@ def add_own_loads(system, state, A, b, size, o, c):
     water = water_of(state, row)
     height = state.position[row, 2] - water[0]
     wet, slope = wet_body(p, o, height)
-    centre = get(p.centre, o)
-    at = add(acc, mat_times(R, add(cross(alpha, centre), cross(omega, cross(omega, centre)))))
-    m = p.mass[o]
-    force = (-m * at[0], -m * at[1], p.weight[o] - m * at[2])
-    add_rider(A, b, size, t, r, R, centre, force, isotropic_plus(c.mass * m, 0.0, at), c.stiffness)
+    force, centre = mass_load(p, o, R, acc, omega, alpha)
+    m = c.mass * p.mass[o]
+    add_rider(A, b, size, t, r, R, centre, force, (m, 0.0, 0.0, m, 0.0, m), c.stiffness)
     lift = wet * p.buoyancy[o]
     block = (0.0, 0.0, 0.0, 0.0, 0.0, -c.stiffness * slope * p.buoyancy[o])
     add_rider(A, b, size, t, r, R, get(p.buoyant, o), (0.0, 0.0, lift), block, c.stiffness)
     force, turn, block = water_terms(p, o, wet, R, V, acc, omega, water, c)
-    v = mat_t_times(R, V) if p.damping_turns[o] else V
-    damping, d = damping_terms(vector(p.damping, o, 0), vector(p.damping, o, 1), v, c)
-    given = get(p.force, o)
-    if p.force_turns[o]:
-        given = mat_times(R, given)
-    if p.damping_turns[o]:
-        damping = mat_times(R, damping)
-        D = diagonal_turned(R, d)
-    else:
-        D = (d[0], 0.0, 0.0, d[1], 0.0, d[2])
+    given, D = given_load(p, o, R, V, c)
     if t >= 0:
-        add_at(b, t, add(add(force, damping), given))
+        add_at(b, t, add(force, given))
         add_block(A, size, t, t, sym_to_general(block))
         add_block(A, size, t, t, sym_to_general(D))
     add_at(b, r, turn)

@@ -15,6 +15,7 @@ from moorage.errors import SimulationError
 from moorage.layout import OF_OBJECTS, new_state
 from moorage.physics.motion import sample_track
 from moorage.solve import record as columns
+from moorage.solve.carried import carried
 from moorage.solve.march_kernel import OK, UNSTABLE, Clocks, Control, march_islands, start_islands
 from moorage.solve.places import place_name
 from moorage.solve.record import Record, new_record
@@ -280,7 +281,7 @@ class March:
     def block(self, record: Record, rows: int, node_rows: int) -> Block:
         """Split the buffers into named arrays of the first `rows` times; what can be a view is one."""
         c, named = columns, len(self.built.names.lines)
-        lines, rods = record.lines[:rows, :named], record.lines[:rows, named:]
+        lines = record.lines[:rows, :named]
 
         def at_ends(first: int, width: int) -> np.ndarray:
             """Columns of end A and then of end B, (rows, lines, 2, width)."""
@@ -290,7 +291,6 @@ class March:
         points = record.points[:rows].copy()
         self._fill_prescribed(record.time[:rows], points)
         holder_force, named = self._holder_force(force), len(self.built.names.points)
-        objects = record.objects[:rows]
         w = record.watch[:rows]
         block = {
             "time": record.time[:rows],
@@ -306,16 +306,7 @@ class March:
             "point_force": holder_force[:, :named],
             "holder_force": holder_force,
             "holder_position": points[:, :, 0:3],
-            "object_position": objects[:, :, c.PLACE : c.PLACE + 3],
-            "object_velocity": objects[:, :, c.SPEED : c.SPEED + 3],
-            "object_acceleration": objects[:, :, c.RISE : c.RISE + 3],
-            "object_rotation": objects[:, :, c.TURN : c.TURN + 9].reshape(rows, -1, 3, 3),
-            "object_spin": objects[:, :, c.SPIN : c.SPIN + 3],
-            "object_twist": objects[:, :, c.TWIST : c.TWIST + 3],
-            "rod_force": rods[:, :, c.FORCE_A : c.FORCE_A + 3],
-            "rod_load": rods[:, :, c.LOAD_A : c.LOAD_A + 3],
-            "rod_moment": rods[:, :, c.MOMENT_A : c.MOMENT_A + 3],
-            "rod_load_moment": rods[:, :, c.MOMENT_B : c.MOMENT_B + 3],
+            **self._carried(points, record, rows),
             "watch_position": w[:, :, c.POSITION : c.POSITION + 3],
             "watch_velocity": w[:, :, c.VELOCITY : c.VELOCITY + 3],
             "watch_force": w[:, :, c.FORCE : c.FORCE + 3],
@@ -335,6 +326,29 @@ class March:
                 "bending_moment": record.moment[:node_rows, :n],
             }
         return block
+
+    def _carried(self, points: np.ndarray, record: Record, rows: int) -> Block:
+        """Return the columns of rods and bodies."""
+        if not len(self.built.rods.line) and not len(self.built.bodies.object):
+            return {}
+        c, named = columns, len(self.built.names.lines)
+        rods, objects = record.lines[:rows, named:], record.objects[:rows]
+        ends = record.lines[:rows, :named]
+        loads = {
+            "end_load": ends[:, :, c.LOAD_A : c.LOAD_A + 6].reshape(rows, named, 2, 3),
+            "end_moment": ends[:, :, c.MOMENT_A : c.MOMENT_A + 6].reshape(rows, named, 2, 3),
+            "rod_load": rods[:, :, c.LOAD_A : c.LOAD_A + 3],
+            "rod_load_moment": rods[:, :, c.MOMENT_B : c.MOMENT_B + 3],
+        }
+        motion = {
+            "object_position": objects[:, :, c.PLACE : c.PLACE + 3],
+            "object_velocity": objects[:, :, c.SPEED : c.SPEED + 3],
+            "object_acceleration": objects[:, :, c.RISE : c.RISE + 3],
+            "object_rotation": objects[:, :, c.TURN : c.TURN + 9].reshape(*objects.shape[:2], 3, 3),
+            "object_spin": objects[:, :, c.SPIN : c.SPIN + 3],
+            "object_twist": objects[:, :, c.TWIST : c.TWIST + 3],
+        }
+        return carried(self.built, points, motion, loads, record.time[:rows])
 
     def _fill_prescribed(self, times, points) -> None:
         tracks = self.built.system.tracks

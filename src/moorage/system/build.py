@@ -13,6 +13,7 @@ from moorage.physics.current import Current
 from moorage.physics.morison import Morison
 from moorage.physics.motion import Tracks, no_tracks, spline_tracks
 from moorage.physics.point import PointLoads
+from moorage.physics.rigid import RigidLoads
 from moorage.physics.table import build_tables
 from moorage.physics.tension import Tension, damping_from_ratio
 from moorage.physics.weight import Weight
@@ -42,6 +43,24 @@ class Names(NamedTuple):
     objects: list[tuple[str, int]]  # "rod" or "body", id
 
 
+class Rods(NamedTuple):
+    """Where the rods of a model are in the arrays, in the order of the file."""
+
+    ends: np.ndarray  # (rods, 2) holders of end A and end B
+    line: np.ndarray  # (rods,) the rigid line with its nodes, -1 for rods of no length
+
+
+class Bodies(NamedTuple):
+    """Where the bodies of a model are in the arrays, in the order of the file."""
+
+    object: np.ndarray  # (bodies,) number among the objects, -1: held
+    place: np.ndarray  # (bodies,) of held ones, the holder at the reference point
+    axes: np.ndarray  # (bodies,) and the first of two tracks, of its first and second axis
+    holders: tuple[np.ndarray, ...]  # of each, the points and ends of rods that it carries
+    rods: tuple[np.ndarray, ...]  # and the places of the rods fixed to it, and of those pinned to it
+    pinned: tuple[np.ndarray, ...]
+
+
 class Built(NamedTuple):
     """A system ready to be solved, with its state, scratch space and names."""
 
@@ -52,6 +71,9 @@ class Built(NamedTuple):
     island_of_line: np.ndarray  # (lines,)
     hung: np.ndarray  # (rows, 3) where statics start: as the state does, but chains of joined lines hang as one, m
     coupled: np.ndarray  # (m,) rows of points and rod ends, counted from the first point, that a motion moves
+    rods: Rods
+    bodies: Bodies
+    body_loads: RigidLoads  # of all bodies by themselves
 
 
 def build(
@@ -80,6 +102,7 @@ def build(
     ends = [(holders.number[line.end_a], holders.number[line.end_b]) for line in model.lines]
     ends += [tuple(holders.number[Attachment("rod", rod.id, end)] for end in ("A", "B")) for rod in rods]  # type: ignore[misc]
     bending, joints, clamps, of_clamp, toward = build_bending(model, holders, segments, node_ptr, len(holders.rest))
+    bodies, axes = _bodies(model, holders, len(holders.rest) + len(clamps))
     riders = _riders(model, holders, node_ptr, of_clamp, toward)
     stiffness = np.concatenate([[0.0], np.cumsum(segments["bending_stiffness"])])
     segment_ptr = node_ptr - np.arange(len(node_ptr))
@@ -115,10 +138,10 @@ def build(
         contact=build_contact(env, to_nodes(d * l)),
         friction=build_friction(model, to_nodes(d * l)),
         points=_points(model, len(holders.rest)),
-        rigid=build_rigid(model, holders.objects, holders.arm, holders.of_point),
+        rigid=build_rigid(model, holders.objects.things, _reach(holders)),
         current=_current(env.current),
         sea=build_sea(env.waves),
-        tracks=_tracks(motion, holders, clamps),
+        tracks=_tracks(motion, holders, clamps + axes),
     )
     state = new_state(rows_of(system), len(riders.row))
     place_objects(holders.objects, riders, state)
@@ -145,7 +168,52 @@ def build(
         island_of_line,
         hang_chains(model, system, state, l, weight),
         np.flatnonzero(holders.coupled),
+        _rods(model, holders),
+        bodies,
+        build_rigid(model, list(model.bodies), np.ones(len(model.bodies))),
     )
+
+
+def _rods(model: Model, holders: Holders) -> Rods:
+    ends = [[holders.number[Attachment("rod", rod.id, end)] for end in ("A", "B")] for rod in model.rods]  # type: ignore[arg-type]
+    nodes = np.array([bool(rod.segments) for rod in model.rods], dtype=bool)
+    line = np.where(nodes, len(model.lines) + np.cumsum(nodes) - 1, -1)
+    return Rods(np.array(ends, dtype=np.int64).reshape(-1, 2), line.astype(np.int64))
+
+
+def _bodies(model: Model, holders: Holders, first: int) -> tuple[Bodies, list[np.ndarray]]:
+    """Return where the bodies are, and the tracks of the axes of those that are held, which begin at `first`."""
+    axes: list[np.ndarray] = []
+    rows = []
+    for body in model.bodies:
+        rows.append(
+            (holders.objects.number.get(("body", body.id), -1), holders.place.get(body.id, -1), first + len(axes))
+        )
+        if body.id in holders.axes:
+            axes += [holders.axes[body.id][..., 0], holders.axes[body.id][..., 1]]
+    at = holders.number
+    ends = [[at[Attachment("rod", r.id, "A")], at[Attachment("rod", r.id, "B")]] for r in model.rods]  # type: ignore[arg-type]
+    held = [[p for p in model.points if p.body == body.id] for body in model.bodies]
+    rods = [[k for k, r in enumerate(model.rods) if r.body == body.id and r.kind != "pinned"] for body in model.bodies]
+    carried = tuple(
+        np.unique([at[Attachment("point", p.id)] for p in points] + [h for k in own for h in ends[k]]).astype(np.int64)
+        for points, own in zip(held, rods, strict=True)
+    )
+    with_nodes = tuple(np.array([k for k in own if model.rods[k].segments], dtype=np.int64) for own in rods)
+    pinned = tuple(
+        np.array([k for k, r in enumerate(model.rods) if r.body == body.id and r.kind == "pinned"], dtype=np.int64)
+        for body in model.bodies
+    )
+    objects, places, tracks = np.array(rows, dtype=np.int64).reshape(-1, 3).T
+    return Bodies(objects, places, tracks, carried, with_nodes, pinned), axes
+
+
+def _reach(holders: Holders) -> np.ndarray:
+    """Return the longest arm on each object, m."""
+    reach = np.zeros(len(holders.objects.names))
+    rides = holders.of_point >= 0
+    np.maximum.at(reach, holders.of_point[rides], np.linalg.norm(holders.arm[rides], axis=1))
+    return reach
 
 
 def _riders(model: Model, holders: Holders, node_ptr, of_clamp, toward) -> Riders:

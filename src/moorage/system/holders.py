@@ -32,6 +32,8 @@ class Holders(NamedTuple):
     arm: np.ndarray  # (holders, 3) in the object's axes, m
     turning: dict[Attachment, tuple[int, np.ndarray]]  # clamps on objects: the object, the direction in its axes
     pin: np.ndarray  # (objects,) holder that an object is pinned to, -1
+    place: dict[int, int]  # bodies that are held: the holder at the reference point
+    axes: dict[int, np.ndarray]  # and how they are turned, (3, 3) or (n, 3, 3)
 
 
 def timed_failures(model: Model) -> list[Failure]:
@@ -144,6 +146,13 @@ def holders_of(
         if isinstance(thing, Rod) and thing.body is not None:
             place, track = carried(model, thing, bodies, None, place)
         pin[o] = add(place, False, thing.kind == "coupled-pinned", track)
+    places: dict[int, int] = {}
+    axes: dict[int, np.ndarray] = {}
+    for body in model.bodies:
+        if ("body", body.id) not in objects.number:
+            x, R = bodies.get(body.id, (None, None))
+            places[body.id] = add(np.array(body.position), False, body.kind == "coupled", x)
+            axes[body.id] = _turn(body) if R is None else R
     count = len(rest)
     of_point, arm = np.full(count, -1, dtype=np.int64), np.zeros((count, 3))
     for holder, (o, at) in riding.items():
@@ -161,6 +170,8 @@ def holders_of(
         arm,
         turning,
         pin,
+        places,
+        axes,
     )
 
 

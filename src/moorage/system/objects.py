@@ -91,16 +91,16 @@ def beyond_nodes(model: Model, rod: Rod, axis: np.ndarray) -> np.ndarray:
     return across * (np.eye(3) - along) + mass * d**2 / 8.0 * along
 
 
-def build_rigid(model: Model, objects: Objects, arm: np.ndarray, of_point: np.ndarray) -> RigidLoads:
-    """Return the loads of the objects by themselves; arm (points, 3) of what rides on them gives their size."""
-    env, n = model.environment, len(objects.names)
+def build_rigid(model: Model, things: list[Rod | Body], reach: np.ndarray) -> RigidLoads:
+    """Return the loads of rods and bodies by themselves; reach: the longest arms (m) on them, which give their size."""
+    env, n = model.environment, len(things)
     zero3 = np.zeros((n, 3))
     p = RigidLoads(
         np.zeros(n), zero3.copy(), np.zeros((n, 9)), np.zeros(n), np.zeros(n), zero3.copy(), np.zeros(n),
         np.full(n, 1e-3), zero3.copy(), np.zeros((n, 6)), np.zeros(n, dtype=bool), waterplanes(model), np.ones(n),
         zero3.copy(), np.zeros(n, dtype=bool), np.zeros((n, 2, 3)), np.zeros(n, dtype=bool),
     )  # fmt: skip
-    for o, thing in enumerate(objects.things):
+    for o, thing in enumerate(things):
         inertia = np.zeros((3, 3))
         if isinstance(thing, Rod):
             p.slender[o] = True
@@ -112,15 +112,13 @@ def build_rigid(model: Model, objects: Objects, arm: np.ndarray, of_point: np.nd
                 if rod.body == thing.id and rod.segments and rod.kind != "pinned":
                     inertia += beyond_nodes(model, rod, np.array(rod.direction))
         p.inertia[o] = inertia.ravel()
-        reach = np.linalg.norm(arm[of_point == o], axis=1).max(initial=0.0)
         gyration = np.sqrt(np.trace(inertia) / (2.0 * thing.mass)) if isinstance(thing, Body) and thing.mass else 0.0
-        p.size[o] = max(reach, gyration, 1e-2)
-    for load in model.external_loads:
-        o = objects.number.get((load.target, load.target_id), -1)
-        if o >= 0:
-            p.force[o] += load.force
-            p.force_turns[o] = p.damping_turns[o] = load.local
-            p.damping[o] += [three(load.linear_damping), three(load.quadratic_damping)]
+        p.size[o] = max(reach[o], gyration, 1e-2)
+        for load in model.external_loads:
+            if load.target == ("rod" if isinstance(thing, Rod) else "body") and load.target_id == thing.id:
+                p.force[o] += load.force
+                p.force_turns[o] = p.damping_turns[o] = load.local
+                p.damping[o] += [three(load.linear_damping), three(load.quadratic_damping)]
     return p
 
 
