@@ -98,6 +98,15 @@ class Riders(NamedTuple):
     clamp: np.ndarray  # (lines, 2, 3) direction in which it points into the line
 
 
+class Breaks(NamedTuple):
+    """Line ends that come off at a force."""
+
+    line: np.ndarray  # (breaks,)
+    end: np.ndarray  # (breaks,) 0: A, 1: B
+    limit: np.ndarray  # (breaks,) N
+    failure: np.ndarray  # (breaks,) the failure of the model that it belongs to
+
+
 class System(NamedTuple):
     """All parameters; one compiled signature serves every model."""
 
@@ -105,6 +114,7 @@ class System(NamedTuple):
     islands: Islands
     joints: Joints
     riders: Riders
+    breaks: Breaks
     tension: Tension
     bending: Bending
     weight: Weight

@@ -44,7 +44,7 @@ from moorage.solve.march import March, Settings, default_tolerance
 from moorage.solve.statics import rest, solve
 from moorage.solve.stiffness import platform_stiffness
 from moorage.streaming import Progress, stream
-from moorage.system.build import Built, build, build_failures
+from moorage.system.build import Built, build, releases_of
 
 VERSION = version("moorage")
 
@@ -168,8 +168,8 @@ def simulate(
         static = static_tensions(built) if chosen["start"] == "static" else {}
         warn_of_clamps(built)
     layout = _layout(model, built, _node_dimension(settings), motion, static)
-    later = build_failures(model, motion, duration)
-    march = March(built, settings, (rows["time"] - 1) * settings.dt_out, later)
+    releases = releases_of(model, motion, duration)
+    march = March(built, settings, (rows["time"] - 1) * settings.dt_out, releases)
     if saved is not None:
         march.restore(saved.state)
     words = {

@@ -12,7 +12,6 @@ from moorage.model import Model
 from moorage.solve.host import HostMarch
 from moorage.solve.march import Block, Settings
 from moorage.system.build import build
-from moorage.system.holders import timed_failures
 
 
 class Simulation:
@@ -50,7 +49,7 @@ class Simulation:
         check_settings({**chosen, "method": method}, False, None)
         accept(model)
         _only_points_are_coupled(model)
-        if timed_failures(model):
+        if model.failures:
             raise UnsupportedError(Problem("failures come in simulate() only", "remove them", model.failures[0].source))
         self.model = model
         built = build(model)

@@ -72,25 +72,10 @@ def _waves(model: Model) -> Iterator[Problem]:
         yield Problem(f"{what} not simulated yet", f"remove option {waves.option}", waves.source, waves.value)
 
 
-def _failures(model: Model) -> Iterator[Problem]:
-    for failure in model.failures:
-        if failure.tension > 0.0:
-            message = f"failure {failure.id}: failures at a tension are not simulated yet"
-            yield Problem(message, "give a time only, and a tension of 0", failure.source, failure.tension)
-        if failure.attachment.kind == "rod":
-            message = f"failure {failure.id}: failures at rods are not simulated yet"
-            yield Problem(message, "tie the line to a point", failure.source)
-
-
 def _controls(model: Model) -> Iterator[Problem]:
     for control in model.controls:
         message = f"control channel {control.channel}: controlled lengths are not simulated yet"
         yield Problem(message, "remove it", control.source)
-
-
-def _external_loads(model: Model) -> Iterator[Problem]:
-    for load in model.external_loads:
-        yield Problem(f"external load {load.id}: external loads are not simulated yet", "remove it", load.source)
 
 
 def _channels(model: Model) -> Iterator[Problem]:
@@ -109,8 +94,6 @@ UNBUILT: tuple[Callable[[Model], Iterator[Problem]], ...] = (
     _syrope,
     _vortex_vibration,
     _waves,
-    _failures,
     _controls,
-    _external_loads,
     _channels,
 )

@@ -26,6 +26,7 @@ class PointLoads(NamedTuple):
     drag: np.ndarray  # (points,) wet, 0.5 rho CdA, N s2/m2
     radius: np.ndarray  # (points,) of the sphere of equal volume, m
     force: np.ndarray  # (points, 3) constant, N
+    damping: np.ndarray  # (points, 2, 3) given linear, N s/m, and quadratic damping, N s2/m2
 
 
 @inlined
@@ -51,8 +52,27 @@ def point_terms(p, k, water, r, v, a, c):
     force = add(force, scale(wet * (p.displaced[k] + p.added_mass[k]), swell))
     lift = p.weight[k] + wet * p.buoyancy[k]
     block = isotropic_plus(c.mass * mass + c.damping * drag * speed, c.damping * drag / (speed + 1e-9), u)
+    linear = p.damping[k, 0, 0], p.damping[k, 0, 1], p.damping[k, 0, 2]
+    quadratic = p.damping[k, 1, 0], p.damping[k, 1, 1], p.damping[k, 1, 2]
+    damping, d = damping_terms(linear, quadratic, v, c)
+    force = add(force, damping)
     total = force[0] + p.force[k, 0], force[1] + p.force[k, 1], force[2] + p.force[k, 2] + lift
-    return total, (block[0], block[1], block[2], block[3], block[4], block[5] - c.stiffness * slope * p.buoyancy[k])
+    rising = block[5] - c.stiffness * slope * p.buoyancy[k]
+    return total, (block[0] + d[0], block[1], block[2], block[3] + d[1], block[4], rising + d[2])
+
+
+@inlined
+def damping_terms(linear, quadratic, v, c):
+    """Force of linear and quadratic damping of a velocity axis by axis, and its diagonal block."""
+    return (
+        -(linear[0] + quadratic[0] * abs(v[0])) * v[0],
+        -(linear[1] + quadratic[1] * abs(v[1])) * v[1],
+        -(linear[2] + quadratic[2] * abs(v[2])) * v[2],
+    ), (
+        c.damping * (linear[0] + 2.0 * quadratic[0] * abs(v[0])),
+        c.damping * (linear[1] + 2.0 * quadratic[1] * abs(v[1])),
+        c.damping * (linear[2] + 2.0 * quadratic[2] * abs(v[2])),
+    )
 
 
 @kernel

@@ -27,7 +27,7 @@ from moorage._vec3 import (
     sub,
     sym_times,
 )
-from moorage.physics.point import wet_fraction
+from moorage.physics.point import damping_terms, wet_fraction
 
 
 class RigidLoads(NamedTuple):
@@ -186,20 +186,6 @@ def turning_drag(p, o, wet, omega, c):
         k * rate * d[1] + 2.0 * f * Dw[1] * omega[1],
         f * (Dw[1] * omega[2] + Dw[2] * omega[1]),
         k * rate * d[2] + 2.0 * f * Dw[2] * omega[2],
-    )
-
-
-@inlined
-def damping_terms(linear, quadratic, v, c):
-    """Force of linear and quadratic damping of a velocity axis by axis, and its diagonal block."""
-    return (
-        -(linear[0] + quadratic[0] * abs(v[0])) * v[0],
-        -(linear[1] + quadratic[1] * abs(v[1])) * v[1],
-        -(linear[2] + quadratic[2] * abs(v[2])) * v[2],
-    ), (
-        c.damping * (linear[0] + 2.0 * quadratic[0] * abs(v[0])),
-        c.damping * (linear[1] + 2.0 * quadratic[1] * abs(v[1])),
-        c.damping * (linear[2] + 2.0 * quadratic[2] * abs(v[2])),
     )
 
 

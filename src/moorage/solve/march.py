@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from itertools import pairwise
 from typing import NamedTuple
@@ -16,10 +15,10 @@ from moorage.layout import OF_OBJECTS, new_state
 from moorage.physics.motion import sample_track
 from moorage.solve import record as columns
 from moorage.solve.carried import carried
-from moorage.solve.march_kernel import OK, UNSTABLE, Clocks, Control, march_islands, start_islands
+from moorage.solve.march_kernel import BROKEN, OK, UNSTABLE, Clocks, Control, march_islands, start_islands
 from moorage.solve.places import place_name
 from moorage.solve.record import Record, new_record
-from moorage.system.build import Built
+from moorage.system.build import Built, Releases
 from moorage.system.sea import with_interval
 
 Block = dict[str, np.ndarray]
@@ -87,6 +86,7 @@ def control_of(settings: Settings, built: Built) -> Control:
         leftover=(0.25 if adaptive else 0.1) * tolerance * force_scales(built),
         stretch=stretch_scales(built),
         iterations=10,
+        breaks=1,
     )
 
 
@@ -122,27 +122,34 @@ def stretch_scales(built: Built) -> np.ndarray:
     return over_islands(built, np.stack([0.5 * tension.spring, tension.damper], axis=1) / tension.length[:, None])
 
 
+class Break(Exception):
+    """A line end bears more than it can: which failure, and when (s)."""
+
+    def __init__(self, failure: int, time: float):
+        super().__init__(failure, time)
+        self.failure, self.time = failure, time
+
+
 class March:
     """A run of a built system from its present state, at time 0.
 
     Parameters
     ----------
-    later : sequence of (time, Built)
-        Systems that take over at later times (s), with the same rows: line ends have come off by then.
+    releases : Releases, optional
+        The failures that come in the run. A system that takes over then has the same rows.
     """
 
-    def __init__(self, built: Built, settings: Settings, duration: float, later: Sequence[tuple[float, Built]] = ()):
+    def __init__(self, built: Built, settings: Settings, duration: float, releases: Releases | None = None):
         self.settings, self.duration = settings, float(duration)
-        self._stages = [(0.0, built), *later]
-        self._stage = 0
-        self._counted = np.zeros(3, dtype=np.int64)  # by the stages before
+        self._releases = releases
+        self._released: frozenset[int] = frozenset()
+        self._counted = np.zeros(3, dtype=np.int64)  # by the systems before
         self._rows = 0  # output times recorded so far, time 0 included
         self._node_rows = 0
-        self._begin(0.0)
+        self._begin(0.0, built)
 
-    def _begin(self, time: float) -> None:
-        """Start the present stage from the state of its system at a time."""
-        built = self._stages[self._stage][1]
+    def _begin(self, time: float, built: Built) -> None:
+        """Start from the state of a system at a time."""
         sea = with_interval(built.system.sea, self.settings.time_step)
         self.time, self.built = time, built._replace(system=built.system._replace(sea=sea))
         self.control = control_of(self.settings, self.built)
@@ -160,9 +167,11 @@ class March:
         for target, source in zip(self.old, self.built.state, strict=True):
             target[...] = source
 
-    def _next_stage(self) -> None:
-        """Go on with the next system, in which some line ends have come off: they start from where they are."""
-        before, (time, after) = self.built, self._stages[self._stage + 1]
+    def _release(self, failures: set[int]) -> None:
+        """Go on with a system in which more line ends have come off: they start from where they are."""
+        assert self._releases is not None
+        self._released |= failures
+        before, after = self.built, self._releases.rebuild(self._released)
         for target, source in zip(after.state, before.state, strict=True):
             target[...] = source
         ptr = after.system.lines.node_ptr
@@ -172,12 +181,16 @@ class March:
                 if name not in OF_OBJECTS:
                     values[ptr[-1] + after.system.lines.end_point[line, end]] = values[row]
         self._counted += self.clocks.counts.sum(axis=0)
-        self._stage += 1
-        self._begin(time)
+        self._begin(self.time, after)
 
-    def _stage_end(self) -> float:
-        later = [time for time, _ in self._stages[self._stage + 1 :]]
-        return min([self.duration, *later])
+    def _due(self, until: float) -> tuple[float, set[int]]:
+        """Return the next time before `until` at which failures come, and which do; `until` and none."""
+        times = self._releases.times if self._releases else {}
+        later = {k: time for k, time in times.items() if k not in self._released and time < until}
+        if not later:
+            return until, set()
+        time = max(min(later.values()), self.time)
+        return time, {k for k, at in later.items() if at <= time}
 
     @property
     def counters(self) -> dict[str, int]:
@@ -198,17 +211,27 @@ class March:
             An island could not go on; `.block` holds the records up to the failure.
         """
         until, parts = min(float(until), self.duration), []
-        while self._stage + 1 < len(self._stages) and self._stages[self._stage + 1][0] < until:
-            parts.append(self._advance(self._stage_end()))
-            self._next_stage()
-        parts.append(self._advance(until))
+        while True:
+            time, failures = self._due(until)
+            saved = self.checkpoint() if len(self.built.system.breaks.line) else {}
+            try:
+                parts.append(self._advance(time))
+            except Break as event:
+                # islands have gone different ways: all go again, to where the line end came off
+                self.restore(saved)
+                self.control = self.control._replace(breaks=0)
+                parts.append(self._advance(event.time))
+                failures = {event.failure}
+            if not failures:
+                break
+            self._release(failures)
         return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]} if parts[1:] else parts[0]
 
     def _advance(self, until: float) -> Block:
         times, node_times = self._times_up_to(until)
         watched = np.array(self.settings.watch, dtype=np.int64).reshape(-1, 2)
         record = new_record(self.built.system, times, node_times, watched)
-        self.run(until, self._stage_end(), record)
+        self.run(until, self._due(self.duration)[0], record)
         self.time = until
         self._rows += len(times)
         self._node_rows += len(node_times)
@@ -223,14 +246,17 @@ class March:
         saved |= {f"table_{k}": v.copy() for k, v in zip(table._fields, table, strict=True)}
         saved["leftover"] = self.control.leftover.copy()  # made from the state at time 0
         saved["counted"] = self._counted.copy()
-        saved["march"] = np.array([self.time, self._rows, self._node_rows, self._stage])
+        saved["march"] = np.array([self.time, self._rows, self._node_rows])
+        saved["released"] = np.array(sorted(self._released), dtype=np.int64)
         return saved
 
     def restore(self, saved: Block) -> None:
         """Go back to a checkpoint."""
-        if int(saved["march"][3]) != self._stage:
-            self._stage = int(saved["march"][3])
-            self._begin(float(saved["march"][0]))
+        released = frozenset(saved["released"].tolist())
+        if released != self._released:
+            assert self._releases is not None
+            self._released = released
+            self._begin(float(saved["march"][0]), self._releases.rebuild(released))
         self._counted[...] = saved["counted"]
         for prefix, target in (
             ("now", self.built.state), ("old", self.old), ("clock", self.clocks), ("table", self.built.work.table),
@@ -271,9 +297,14 @@ class March:
             cuts = np.linspace(0, islands, 4 * workers + 1).astype(int)
             with ThreadPoolExecutor(workers) as pool:
                 list(pool.map(part, pairwise(cuts)))
-        failed = np.flatnonzero(self.clocks.status != OK)
+        failed = np.flatnonzero((self.clocks.status != OK) & (self.clocks.status != BROKEN))
         if len(failed):
             raise self._failure(int(failed[np.argmin(self.clocks.time[failed])]), record)
+        came_off = np.flatnonzero(self.clocks.status == BROKEN)
+        if len(came_off):
+            first = came_off[np.argmin(self.clocks.time[came_off])]
+            which = built.system.breaks.failure[self.clocks.row[first]]
+            raise Break(int(which), float(self.clocks.time[first]))
         if not np.isfinite(record.lines).all():
             row, line, _ = np.argwhere(~np.isfinite(record.lines))[0].tolist()
             raise self._not_a_number(row, line, record)

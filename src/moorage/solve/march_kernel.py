@@ -10,12 +10,13 @@ import numpy as np
 from moorage._jit import inlined, kernel
 from moorage._vec3 import get, put
 from moorage.layout import line_nodes, point_row
+from moorage.solve.breaks import broken
 from moorage.solve.explicit import explicit_step
 from moorage.solve.implicit import implicit_step, start_island
 from moorage.solve.record import record_lines, record_nodes, record_objects, record_watched, sample_island
 from moorage.system.water import next_interval, start_table, table_end
 
-OK, NO_SOLUTION, UNSTABLE = 0, 1, 2
+OK, NO_SOLUTION, UNSTABLE, BROKEN = 0, 1, 2, 3
 
 
 class Control(NamedTuple):
@@ -32,6 +33,7 @@ class Control(NamedTuple):
     leftover: np.ndarray  # (islands,) that leave no more than this tension behind, N, as estimated from
     stretch: np.ndarray  # (islands, 2) the largest EA / (2 l^2), N/m2, and BA / l^2, N s/m2
     iterations: int  # at most so many, then the step is halved
+    breaks: int  # 1: stop when a line end bears more than it can
 
 
 class Clocks(NamedTuple):
@@ -121,6 +123,11 @@ def march_islands(system, old, now, work, clocks, control, begin, end, until, st
             if t >= table_end(system.sea, work.table, island) - eps:
                 next_interval(system.lines, system.islands, system.sea, work.table, b.position, b.velocity, island, t)
             h = next_step(control, size, h, error)
+            if control.breaks == 1 and len(system.breaks.line) > 0:
+                where = broken(system, b, island_of_line, island, t)
+                if where >= 0:
+                    clocks.status[island], clocks.row[island] = BROKEN, where
+                    break
         if swapped:
             swap_island(system.lines, system.islands, old, now, island)
         clocks.begin[island], clocks.time[island], clocks.step[island] = t0, t, h

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
 
-from moorage.layout import FLEXIBLE, HELD, Riders, State, System, Work, new_state, new_work, rows_of
+from moorage.layout import FLEXIBLE, HELD, Breaks, Riders, State, System, Work, new_state, new_work, rows_of
 from moorage.model import Attachment, Curve, Model, Motion
 from moorage.model import Current as SteadyCurrent
 from moorage.physics.current import Current
@@ -20,8 +21,8 @@ from moorage.physics.weight import Weight
 from moorage.system.bed import build_contact, build_friction
 from moorage.system.bends import build_bending
 from moorage.system.guess import hang_chains, place_guess
-from moorage.system.holders import Holders, holders_of, release, timed_failures
-from moorage.system.objects import Objects, build_rigid, rigid_rods
+from moorage.system.holders import Holders, holders_of, release
+from moorage.system.objects import Objects, build_rigid, rigid_rods, three
 from moorage.system.sea import build_sea
 from moorage.system.segments import NodeSum, segment_table
 from moorage.system.topology import islands_of
@@ -61,6 +62,13 @@ class Bodies(NamedTuple):
     pinned: tuple[np.ndarray, ...]
 
 
+class Releases(NamedTuple):
+    """Failures of a run: lines that come off where they are tied."""
+
+    times: dict[int, float]  # failure: the time (s) at which it comes, of those that do
+    rebuild: Callable[[frozenset[int]], Built]  # the system with some failures behind it, with the same rows
+
+
 class Built(NamedTuple):
     """A system ready to be solved, with its state, scratch space and names."""
 
@@ -84,7 +92,7 @@ def build(
 ) -> Built:
     """Turn a checked model into arrays, with lines on their first catenary.
 
-    `released` holds the timed failures that have come (places in `timed_failures`).
+    `released` holds the failures that have come (places in `model.failures`).
 
     Raises
     ------
@@ -131,6 +139,7 @@ def build(
         islands=islands,
         joints=joints,
         riders=riders,
+        breaks=_breaks(model, released),
         tension=_tension(l, segments),
         bending=bending,
         weight=Weight(-env.gravity * mass, env.gravity * displaced, 0.5 * d),
@@ -257,14 +266,24 @@ def place_objects(objects: Objects, riders: Riders, state: State) -> None:
     state.attitude[...] = state.base[...] = objects.rotation.reshape(-1, 9)
 
 
-def build_failures(model: Model, motion: Motion | None = None, duration: float | None = None):
-    """Return (time, Built) for each timed failure of a model: the system from then on."""
-    times = [failure.time for failure in timed_failures(model)]
-    return [
-        (time, build(model, motion, duration, frozenset(range(k + 1))))
-        for k, time in enumerate(times)
-        if duration is None or time < duration
-    ]
+def releases_of(model: Model, motion: Motion | None = None, duration: float | None = None) -> Releases:
+    """Return what comes off in a run, and when."""
+    times = {k: failure.time for k, failure in enumerate(model.failures) if failure.time > 0.0}
+    return Releases(times, lambda released: build(model, motion, duration, released))
+
+
+def _breaks(model: Model, released: frozenset[int]) -> Breaks:
+    """Return the line ends that come off at a force."""
+    rows = []
+    for k, failure in enumerate(model.failures):
+        if failure.tension > 0.0 and k not in released:
+            for j, line in enumerate(model.lines):
+                if line.id in failure.lines:
+                    held = [end for end, at in enumerate((line.end_a, line.end_b)) if at == failure.attachment]
+                    rows += [(j, end, failure.tension, k) for end in held]
+    columns = np.array(rows, dtype=float).reshape(-1, 4).T
+    places, ends, failures = (columns[c].astype(np.int64) for c in (0, 1, 3))
+    return Breaks(places, ends, columns[2].copy(), failures)
 
 
 def with_motion(built: Built, tracks: Tracks) -> Built:
@@ -327,6 +346,12 @@ def _points(model: Model, count: int) -> PointLoads:
     volume = column([p.volume for p in model.points])
     force = np.zeros((count, 3))
     force[: len(model.points)] = np.array([p.external_force for p in model.points], dtype=float).reshape(-1, 3)
+    damping = np.zeros((count, 2, 3))
+    place = {point.id: k for k, point in enumerate(model.points)}
+    for load in model.external_loads:
+        if load.target == "point":
+            force[place[load.target_id]] += load.force
+            damping[place[load.target_id]] += [three(load.linear_damping), three(load.quadratic_damping)]
     return PointLoads(
         mass,
         env.water_density * volume * column([p.added_mass for p in model.points]),
@@ -336,4 +361,5 @@ def _points(model: Model, count: int) -> PointLoads:
         0.5 * env.water_density * column([p.drag_area for p in model.points]),
         np.maximum((0.75 * volume / np.pi) ** (1.0 / 3.0), 1e-3),
         force,
+        damping,
     )

@@ -12,13 +12,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from moorage.model import Attachment, Body, Failure, Model, Motion, Point, Rod
+from moorage.model import Attachment, Body, Model, Motion, Point, Rod
 from moorage.model.motion import MOVED, rotation_matrices
 from moorage.system.objects import Objects, objects_of
 
 
 class Holders(NamedTuple):
-    """Holders of a model: its points in the order of the file, released line ends, the rods' ends, then pins."""
+    """Holders of a model: its points in the order of the file, the rods' ends, pins, bodies, released line ends."""
 
     number: dict[Attachment, int]
     rest: np.ndarray  # (holders, 3) where they are described, m
@@ -36,20 +36,15 @@ class Holders(NamedTuple):
     axes: dict[int, np.ndarray]  # and how they are turned, (3, 3) or (n, 3, 3)
 
 
-def timed_failures(model: Model) -> list[Failure]:
-    """Return the failures that come at a time, in that order."""
-    return sorted((f for f in model.failures if f.time > 0.0), key=lambda f: f.time)
-
-
 def released_end(k: int) -> Attachment:
-    """Return what stands for the free point of the k-th timed failure."""
+    """Return what stands for the free point of the k-th failure."""
     return Attachment("point", -1 - k)
 
 
 def release(model: Model, released: frozenset[int]) -> Model:
-    """Return the model with the lines of some timed failures (by their places) tied to points of their own."""
+    """Return the model with the lines of some failures (by their places) tied to points of their own."""
     lines = list(model.lines)
-    for k, failure in enumerate(timed_failures(model)):
+    for k, failure in enumerate(model.failures):
         if k not in released:
             continue
         for i, line in enumerate(lines):
@@ -73,7 +68,6 @@ def holders_of(
     joints: list[int] = []
     riding: dict[int, tuple[int, np.ndarray]] = {}
     turning: dict[Attachment, tuple[int, np.ndarray]] = {}
-    failing = timed_failures(model)
 
     def add(position, is_free, is_coupled, track):
         rest.append(position if track is None else track[0])
@@ -98,10 +92,6 @@ def holders_of(
         on_moved = p.body is not None and _body(model, p.body).kind != "fixed"
         at = add(position, p.kind == "free" and p.body is None, p.kind == "coupled" or on_moved, track)
         number[name] = at
-    for k, failure in enumerate(failing):
-        # a free point that the lines of a failure take along; until then it stays where they are tied
-        at = number.get(failure.attachment, 0)
-        number[released_end(k)] = add(np.array(rest[at]), k in released, False, None)
     for rod in model.rods:
         end_a, end_b = Attachment("rod", rod.id, "A"), Attachment("rod", rod.id, "B")
         own, carrier = objects.number.get(("rod", rod.id)), objects.number.get(("body", rod.body))
@@ -153,6 +143,10 @@ def holders_of(
             x, R = bodies.get(body.id, (None, None))
             places[body.id] = add(np.array(body.position), False, body.kind == "coupled", x)
             axes[body.id] = _turn(body) if R is None else R
+    for k, failure in enumerate(model.failures):
+        # a free point that the lines of a failure take along; until then it stays where they are tied
+        at = number.get(failure.attachment, 0)
+        number[released_end(k)] = add(np.array(rest[at]), k in released, False, None)
     count = len(rest)
     of_point, arm = np.full(count, -1, dtype=np.int64), np.zeros((count, 3))
     for holder, (o, at) in riding.items():

@@ -61,11 +61,12 @@ def _frame(model: Model, thing: Rod | Body) -> tuple[np.ndarray, np.ndarray]:
 
 
 def frame_along(axis: np.ndarray) -> np.ndarray:
-    """Return a rotation (3, 3) whose first column is a unit vector."""
-    other = np.eye(3)[np.argmin(np.abs(axis))]
-    second = np.cross(axis, other)
-    second /= np.linalg.norm(second)
-    return np.column_stack([axis, second, np.cross(axis, second)])
+    """Return a rotation (3, 3) whose first column is a unit vector.
+
+    MoorDyn's axes of a rod, the vertical turned to it by roll and pitch, with the last one put first.
+    """
+    angles = [np.arctan2(-axis[1], axis[2]), np.arcsin(np.clip(axis[0], -1.0, 1.0)), 0.0]
+    return rotation_matrices(np.array([angles]))[0][:, [2, 0, 1]]
 
 
 def rigid_rods(model: Model) -> list[Rod]:
@@ -116,9 +117,11 @@ def build_rigid(model: Model, things: list[Rod | Body], reach: np.ndarray) -> Ri
         p.size[o] = max(reach[o], gyration, 1e-2)
         for load in model.external_loads:
             if load.target == ("rod" if isinstance(thing, Rod) else "body") and load.target_id == thing.id:
+                # only damping of a rod is in its own axes: they begin with that along it, the last one in the file
+                order = [2, 0, 1] if isinstance(thing, Rod) and load.local else [0, 1, 2]
                 p.force[o] += load.force
-                p.force_turns[o] = p.damping_turns[o] = load.local
-                p.damping[o] += [three(load.linear_damping), three(load.quadratic_damping)]
+                p.force_turns[o], p.damping_turns[o] = load.local and isinstance(thing, Body), load.local
+                p.damping[o] += np.array([three(load.linear_damping), three(load.quadratic_damping)])[:, order]
     return p
 
 
