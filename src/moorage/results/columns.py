@@ -11,7 +11,7 @@ from moorage.model import Waves
 from moorage.results.bending import COORDINATES, MOMENTS, Bending
 from moorage.results.channels import Output
 from moorage.results.index import Index
-from moorage.results.sea import ELEVATION, sea_columns
+from moorage.results.sea import COMPONENT, ELEVATION, sea_columns, sea_coordinates
 from moorage.results.seabed import UPLIFT, Seabed
 from moorage.solve.march import Block
 from moorage.variables import VARIABLES, attributes
@@ -91,7 +91,8 @@ class Layout:
     @property
     def sizes(self) -> dict[str, int]:
         """Length of every dimension but time."""
-        return self.index.sizes | (self.seabed.sizes if self.seabed else {})
+        sea = {COMPONENT: len(self.waves.frequency)} if self.waves else {}
+        return self.index.sizes | (self.seabed.sizes if self.seabed else {}) | sea
 
     def coordinates(self) -> dict[str, np.ndarray]:
         """Return the coordinates of the rows; those of nodes and segments only where there are histories of them."""
@@ -99,7 +100,8 @@ class Layout:
         unused = set(COORDINATES) - set(self.bending.coordinates if self.bending else ())
         known = self.index.coordinates().items()
         rows = {n: values for n, values in known if VARIABLES[n].dims not in left_out and n not in unused}
-        return rows | (self.seabed.coordinates if self.seabed else {}) | dict(self.static)
+        sea = sea_coordinates(self.waves) if self.waves else {}
+        return rows | (self.seabed.coordinates if self.seabed else {}) | sea | dict(self.static)
 
     def dims(self, name: str) -> tuple[str, ...]:
         """Return the dimensions of a variable over time."""

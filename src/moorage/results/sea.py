@@ -1,4 +1,4 @@
-"""The sea in a result: its elevation over time, what it was made from, and what came out."""
+"""The sea in a result: its elevation over time, its components, what it was made from, and what came out."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from moorage.errors import ModelWarning
 from moorage.model import Waves
 
 ELEVATION = ("wave_elevation",)
+COMPONENT = "wave_component"
 
 
 def sea_attributes(waves: Waves | None) -> dict[str, object]:
@@ -21,8 +22,20 @@ def sea_attributes(waves: Waves | None) -> dict[str, object]:
         "wave_components": len(waves.frequency),
         "wave_seed": "none" if waves.seed is None else waves.seed,
         "wave_stretching": waves.stretching,
+        "wave_ramp": float(waves.ramp),
         "wave_significant_height": waves.significant_height,
         "wave_peak_period": waves.peak_period,
+    }
+
+
+def sea_coordinates(waves: Waves) -> dict[str, np.ndarray]:
+    """Return the components of a sea, each (n,), so that a result can give the water anywhere again."""
+    return {
+        "wave_frequency": np.array(waves.frequency),
+        "wave_amplitude": np.array(waves.amplitude),
+        "wave_phase": np.array(waves.phase),
+        "wave_direction": np.array(waves.direction),
+        "wave_number": waves.wavenumber,
     }
 
 
