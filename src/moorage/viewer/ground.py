@@ -7,8 +7,8 @@ import xarray as xr
 
 from moorage.results.bed_level import bed_level
 
-MARGIN = 0.16  # around the lines, as a part of their extent
-NARROW = 0.3  # no narrower than this part of its length
+MARGIN = 0.1  # around the lines, as a part of their extent
+NARROW = 0.4  # no narrower than this part of its length
 FINEST = 200  # places along its longer side
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 import xarray as xr
@@ -27,8 +28,8 @@ class Scene:
     meta : dict
         What JSON can hold: names, units, the ranges of colours, the sea.
     arrays : dict of (rows, columns) arrays
-        `position` (frames, 3 nodes), `markers` (frames, 3 markers), `rods` (frames, 6 rods), `bodies` (frames, 6 bodies),
-        a table (frames, nodes) of each quantity, `bed` (places, 1) and `history` (rows, 2 lines).
+        `position` (frames, 3 nodes), `markers` (frames, 3 markers), `rods` (frames, 6 rods),
+        `bodies` (frames, 6 bodies), a table (frames, nodes) of each quantity, `bed` (places, 1) and `history` (rows, 2 lines).
     """
 
     meta: dict
@@ -58,7 +59,7 @@ def scene_of(result: xr.Dataset, model: Model | None = None) -> Scene:
     arrays |= {q.key: q.values for q in colours} | {"bed": level, "history": past}
     meta = {
         "title": str(ds.attrs.get("title") or "Mooring"),
-        "source": f"{ds.attrs.get('input_file', '')}",
+        "source": Path(str(ds.attrs.get("input_file", ""))).name,
         "version": str(ds.attrs.get("moorage_version", "")),
         "date": str(ds.attrs.get("date", ""))[:10],
         "status": str(ds.attrs.get("status", "")),

@@ -5,6 +5,8 @@ from __future__ import annotations
 import numpy as np
 import xarray as xr
 
+from moorage.results.sea import WORDS
+
 CELLS = 200  # of the drawn surface along its longer side
 FINEST = 3.0  # cells in the shortest wave that is drawn
 MOST = 200  # components that are drawn
@@ -18,9 +20,7 @@ def sea(ds: xr.Dataset, region: np.ndarray) -> tuple[dict, str]:
     """
     if "wave_frequency" not in ds.coords or "wave_elevation" not in ds:
         return {"components": [], "ramp": 0.0, "cells": 1, "asked": ""}, ""
-    a, w, phase, b, k = (
-        ds[f"wave_{name}"].values for name in ("amplitude", "frequency", "phase", "direction", "number")
-    )
+    a, w, phase, b, k = (ds[f"wave_{name}"].values for name in WORDS)
     shortest = FINEST * max(region[2] - region[0], region[3] - region[1]) / CELLS
     drawn = np.flatnonzero(2.0 * np.pi >= k * shortest)
     drawn = np.sort(drawn[np.argsort(-a[drawn])][:MOST])

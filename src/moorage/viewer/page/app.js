@@ -5,7 +5,7 @@ import { placeOf, readTables } from "./data.js";
 import { depthLegend, lineLegend, signLegend } from "./legend.js";
 import { FatLines } from "./lines.js";
 import { Bodies, Markers } from "./markers.js";
-import { roundStep, withUnit, words } from "./numbers.js";
+import { roundStep, short, withUnit, words } from "./numbers.js";
 import { Panel } from "./panel.js";
 import { pick } from "./pick.js";
 import { compose } from "./picture.js";
@@ -18,6 +18,7 @@ const find = (id) => document.getElementById(id);
 const meta = JSON.parse(find("meta").textContent);
 const calm = window.matchMedia("(prefers-reduced-motion: reduce)").matches;
 const MARKER = 12; // pixels
+const CLOSE = 0.16; // how much of the mooring's extent a close view shows around what moves
 const RIM = [0.08, 0.11, 0.15, 1];
 
 class App {
@@ -50,15 +51,15 @@ class App {
     const owner = meta.lines.flatMap(({ first, last }, k) => Array(last - first + 1).fill(k));
     this.lines = new FatLines(owner);
     this.shadow = new FatLines(owner);
-    this.shadow.draw(world, { width: 2.5, colour: [0.1, 0.15, 0.2, 0.28], lift: 2e-5 }, 1);
+    this.shadow.draw(world, { width: 2.5, colour: [0.1, 0.15, 0.2, 0.25], lift: 2e-5, cap: 0 }, 1);
     this.rim = this.lines.draw(world, { width: 4, rim: 1.2, colour: RIM, lift: 2e-4 }, 2);
     this.body = this.lines.draw(world, { width: 4, colours: this.palettes.lines, lift: 4e-4 }, 3);
     this.rods = new FatLines(meta.rods.flatMap((_, k) => [k, k]));
-    this.rods.draw(world, { width: 8, colour: [0.28, 0.32, 0.36, 1], lift: 3e-4 }, 2);
+    this.rods.draw(world, { width: 8, colour: [0.28, 0.32, 0.36, 1], lift: 3e-4, solid: true }, 2);
     this.rings = meta.platforms.map((group) => [...group, ...(group.length > 2 ? [group[0]] : [])]);
     this.platforms = new FatLines(this.rings.flatMap((ring, k) => ring.map(() => k)));
     this.platforms.draw(world, { width: 7, rim: 1.2, colour: RIM, lift: 2e-4 }, 2);
-    this.platforms.draw(world, { width: 7, colour: [0.93, 0.71, 0.25, 1], lift: 4e-4 }, 3);
+    this.platforms.draw(world, { width: 7, colour: [0.93, 0.71, 0.25, 1], lift: 4e-4, solid: true }, 3);
     this.markers = new Markers(meta.markers, this.stage.renderer.getPixelRatio());
     this.bodies = new Bodies(meta.bodies, span / 40);
     world.add(this.markers.mesh, this.bodies.group);
@@ -69,7 +70,7 @@ class App {
     this.values = {};
     for (const { key } of meta.quantities) this.values[key] = new Float32Array(this.tables[key].columns);
     this.across = mainDirection(this.tables.position);
-    find("depth").innerHTML = depthLegend(this.seabed, meta.depth);
+    find("depth").innerHTML = depthLegend(this.seabed);
     find("signs").innerHTML = signLegend(meta.markers);
   }
 
@@ -165,9 +166,13 @@ class App {
   look(view, swift) {
     this.view = view;
     const [a, b] = [meta.low, meta.high];
-    let around = [a[0], b[0]].flatMap((x) => [a[1], b[1]].flatMap((y) => [a[2], Math.max(0, b[2])].map((z) => [x, y, z])));
+    const [x0, y0, x1, y1] = meta.region;
+    const box = (xs, ys, zs) => xs.flatMap((x) => ys.flatMap((y) => zs.map((z) => [x, y, z])));
+    const upright = [a[2], Math.max(0, b[2])];
+    let around = box([x0, x1], [y0, y1], upright);
+    if (view === "side") around = box([a[0], b[0]], [a[1], b[1]], upright);
     if (view === "close") around = this.closeUp();
-    if (view === "top") around = [a[0], b[0]].flatMap((x) => [a[1], b[1]].map((y) => [x, y, 0]));
+    if (view === "top") around = box([x0, x1], [y0, y1], [0]);
     const across = view === "top" ? [1, 0] : this.across;
     this.stage.look(view, around, across, calm ? 0 : swift);
     document.querySelectorAll("[data-view]").forEach((button) => button.setAttribute("aria-pressed", button.dataset.view === view));
@@ -184,8 +189,10 @@ class App {
     const moved = meta.markers.flatMap(({ kind }, k) => (kind.startsWith("coupled") ? [Array.from(this.markers.data.subarray(3 * k, 3 * k + 3))] : []));
     let middle = moved.length ? moved : [node(0)];
     if (!moved.length) for (let i = 0; 3 * i < this.nodes.length; i++) if (this.nodes[3 * i + 2] > middle[0][2]) middle = [node(i)];
-    const reach = 0.08 * Math.max(meta.high[0] - meta.low[0], meta.high[1] - meta.low[1]);
-    return middle.flatMap(([x, y, z]) => [-1, 1].flatMap((s) => [[x + s * reach, y, z], [x, y + s * reach, z], [x, y, z + 0.6 * s * reach]]));
+    const reach = CLOSE * Math.hypot(...[0, 1, 2].map((k) => meta.high[k] - meta.low[k]));
+    const all = Array.from({ length: this.nodes.length / 3 }, (_, i) => node(i));
+    const near = all.filter((p) => middle.some((q) => Math.hypot(...p.map((v, k) => v - q[k])) < reach));
+    return [...middle, ...near];
   }
 
   select(line) {
@@ -266,7 +273,7 @@ class App {
     for (const q of meta.quantities) find("quantity").add(new Option(q.unit ? `${q.label} (${q.unit})` : q.label, q.key));
     document.body.classList.toggle("still", !meta.moving);
     Object.assign(find("slider"), { min: this.times[0], max: this.times[this.times.length - 1], value: this.times[0] });
-    find("end").textContent = words(this.times[this.times.length - 1], 0.1);
+    find("end").textContent = short(this.times[this.times.length - 1]);
     find("speed").value = this.state.speed = this.duration > 240 ? 5 : 1;
     on("slider", "input", (e) => this.setTime(Number(e.target.value)));
     on("play", "click", () => this.play(!this.state.playing));
@@ -340,7 +347,7 @@ class App {
   facts() {
     const nodes = meta.lines.reduce((sum, { first, last }) => sum + last - first, 0);
     const n = meta.lines.length;
-    const time = meta.moving ? `${words(this.duration, 0.1).replace(/\.0$/, "")} s, one instant every ${words(this.interval)} s` : "static equilibrium";
+    const time = meta.moving ? `${short(this.duration)} s, one instant every ${short(this.interval)} s` : "static equilibrium";
     return [meta.source, `${n} line${n > 1 ? "s" : ""}, ${nodes} segments`, time, meta.sea.asked].filter(Boolean).join(" · ");
   }
 }

@@ -2,7 +2,7 @@
 
 import { colourAt, DEPTH, STATES, VIRIDIS } from "./colours.js";
 import { KINDS } from "./markers.js";
-import { roundStep, ticks, words } from "./numbers.js";
+import { roundStep, short, ticks, words } from "./numbers.js";
 
 const SIGNS = ["fixed point", "moved point", "free point"];
 
@@ -37,8 +37,8 @@ export function lineLegend(quantity) {
     .join("");
 }
 
-export function depthLegend(seabed, depth) {
-  if (seabed.flat) return `<div class="label">Water depth <b>${words(seabed.flat ? -seabed.low : depth)} m</b></div>`;
+export function depthLegend(seabed) {
+  if (seabed.flat) return `<div class="label">Water depth <b>${short(-seabed.low)} m</b></div>`;
   const scale = bar(DEPTH, -seabed.high, -seabed.low, (v, step) => words(v, step));
   return `<div class="label">Water depth (m)</div>${scale}`;
 }

@@ -5,7 +5,7 @@ const VERTEX = `
   attribute vec4 start, end;   // x, y, z and value
   attribute float part;        // which line; below zero: from one line to the next
   uniform vec2 screen;
-  uniform float width, rim, picked, lift;
+  uniform float width, rim, picked, lift, cap;
   varying vec2 vPlace;
   varying float vLength, vRadius, vDepth, vFrom, vTo, vPicked;
   void main() {
@@ -20,7 +20,7 @@ const VERTEX = `
     vPicked = abs(part - picked) < 0.5 ? 1.0 : 0.0;
     vRadius = 0.5 * width * (1.0 + 0.6 * vPicked) + rim;
     vec4 c = corner.x < 0.5 ? ca : cb;
-    float reach = (2.0 * corner.x - 1.0) * vRadius;
+    float reach = (2.0 * corner.x - 1.0) * vRadius * cap;
     c.xy += (along * reach + across * corner.y * vRadius) / (0.5 * screen) * c.w;
     c.z -= lift * c.w;
     if (part < -0.5 || (a.z > near && b.z > near)) c = vec4(2.0, 2.0, 2.0, 1.0);
@@ -61,12 +61,13 @@ function material(options) {
       rim: { value: options.rim ?? 0 },
       picked: { value: -9 },
       lift: { value: options.lift ?? 0 },
+      cap: { value: options.cap ?? 1 },
       colour: { value: new THREE.Vector4(...(options.colour ?? [0, 0, 0, 1])) },
       coloured: { value: options.colours ? 1 : 0 },
       colours: { value: options.colours ?? null },
     },
     transparent: (options.colour?.[3] ?? 1) < 1,
-    depthWrite: (options.colour?.[3] ?? 1) === 1,
+    depthWrite: Boolean(options.colours ?? options.solid), // a rim must not hide the next segment
     side: THREE.DoubleSide,
   });
 }
@@ -90,7 +91,10 @@ export class FatLines {
     this.meshes = [];
   }
 
-  /** Add a drawing of these lines to a group; see `material` for its options. */
+  /**
+   * Add a drawing of these lines to a group: its width and rim in pixels, a colour [r, g, b, a] or a strip of colours,
+   * how far it is lifted towards the eye, whether its segments have round ends, and whether a colour hides what is behind.
+   */
   draw(group, options, order = 0) {
     const mesh = new THREE.Mesh(this.geometry, material(options));
     mesh.frustumCulled = false;

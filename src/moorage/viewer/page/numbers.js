@@ -22,6 +22,11 @@ export function words(value, step = 0) {
   return value.toFixed(Math.min(digits, 6)).replace("-", "−");
 }
 
+/** Text of a value without the zeros that say nothing. */
+export function short(value) {
+  return String(Number(value.toPrecision(4))).replace("-", "−");
+}
+
 export function withUnit(value, unit) {
   return unit ? `${words(value)} ${unit}` : words(value);
 }

@@ -3,6 +3,7 @@
 import { ticks, words } from "./numbers.js";
 
 const SHORTEST = 46; // pixels between two labels
+const ALONG = 0.3; // an edge that is seen shorter than this part of its length points at the eye: no labels
 
 export class Scales {
   constructor(holder, axes, meta, seabed, step) {
@@ -21,11 +22,13 @@ export class Scales {
     if (this.shown) {
       const m = stage.matrix();
       const [x0, y0, x1, y1] = this.meta.region;
-      const eye = stage.camera.position;
-      const [farX, farY] = [eye.x > (x0 + x1) / 2 ? x0 : x1, eye.y > (y0 + y1) / 2 ? y0 : y1];
+      const away = stage.camera.position.clone().sub(stage.controls.target);
+      const [farX, farY] = [away.x > 1e-6 * away.length() ? x0 : x1, away.y > 0 ? y0 : y1];
       const [nearX, nearY] = [x0 + x1 - farX, y0 + y1 - farY];
       const floor = (x, y) => [x, y, this.seabed.levelAt(x, y)];
-      const middle = stage.pixel(...floor((x0 + x1) / 2, (y0 + y1) / 2), m);
+      const centre = floor((x0 + x1) / 2, (y0 + y1) / 2);
+      const middle = stage.pixel(...centre, m);
+      this.perMetre = stage.perMetre(...centre);
       this.edge(stage, m, ticks(x0, x1, (x1 - x0) / this.step), (v) => floor(v, nearY), "x", middle);
       this.edge(stage, m, ticks(y0, y1, (y1 - y0) / this.step), (v) => floor(nearX, v), "y", middle);
       this.upright(stage, m, [[farX, nearY], [nearX, farY]]);
@@ -40,13 +43,14 @@ export class Scales {
     const [a, b] = [places[0][1], places[places.length - 1][1]];
     const length = Math.hypot(b[0] - a[0], b[1] - a[1]);
     const every = Math.max(1, Math.ceil((SHORTEST * places.length) / Math.max(length, 1)));
-    if (length < 2 * SHORTEST) return;
+    if (length < Math.max(2 * SHORTEST, ALONG * this.perMetre * (values[values.length - 1] - values[0]))) return;
     const out = this.outward(a, b, middle, 15);
     places.forEach(([v, p], i) => {
       if (Math.round(v / this.step) % every === 0) this.label(`${words(v, this.step)}`, p[0] + out[0], p[1] + out[1]);
     });
-    const far = this.outward(a, b, middle, 40);
-    this.label(`${name} (m)`, (a[0] + b[0]) / 2 + far[0], (a[1] + b[1]) / 2 + far[1], "name");
+    const [u, v] = this.outward(a, b, middle, 1);
+    const far = 34 + 24 * Math.abs(u); // labels are wider than high
+    this.label(`${name} (m)`, (a[0] + b[0]) / 2 + far * u, (a[1] + b[1]) / 2 + far * v, "name");
   }
 
   upright(stage, m, corners) {
@@ -56,7 +60,9 @@ export class Scales {
       .map(([x, y]) => [[x, y], stage.pixel(x, y, 0, m), stage.pixel(x, y, this.seabed.levelAt(x, y), m)])
       .filter(([, a, b]) => a && b)
       .sort((p, q) => p[1][0] - q[1][0])[0];
-    if (!best || Math.hypot(best[1][0] - best[2][0], best[1][1] - best[2][1]) < 60) return;
+    if (!best) return;
+    const seen = Math.hypot(best[1][0] - best[2][0], best[1][1] - best[2][1]);
+    if (seen < Math.max(40, ALONG * this.perMetre * stage.stretch * Math.abs(low))) return;
     const [[x, y], top, foot] = best;
     const every = Math.max(1, Math.ceil(22 / ((Math.abs(top[1] - foot[1]) * step) / Math.abs(low))));
     ticks(low, 0, Math.abs(low) / step).forEach((z) => {

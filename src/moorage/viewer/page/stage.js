@@ -2,7 +2,7 @@
 
 import { screen } from "./lines.js";
 
-const ANGLE = 26; // of view, degrees
+const ANGLE = 13; // of view, degrees
 const SWIFT = 350; // ms of a move from one preset to another
 export const VIEWS = ["overview", "side", "top", "close"];
 
@@ -75,7 +75,7 @@ export class Stage {
     const right = new THREE.Vector3().crossVectors(this.camera.up, away).normalize();
     const top = new THREE.Vector3().crossVectors(away, right);
     const { width, height } = this.size;
-    const free = { left: 60, right: view === "overview" ? 60 : 110, top: 84, bottom: 112 }; // pixels
+    const free = { left: 84, right: 84, top: view === "overview" ? 70 : 176, bottom: view === "top" ? 132 : 148 }; // pixels
     const span = [0, 0].map((_, k) => (k ? height - free.top - free.bottom : width - free.left - free.right));
     const perPixel = (2 * Math.tan((ANGLE * Math.PI) / 360)) / height; // at distance 1
     const middle = places.reduce((sum, p) => sum.add(p), new THREE.Vector3()).divideScalar(places.length);
@@ -120,6 +120,12 @@ export class Stage {
     this.camera.far = far + 4 * size;
     this.camera.updateProjectionMatrix();
     this.renderer.render(this.scene, this.camera);
+  }
+
+  /** Pixels that a metre across the line of sight takes at a place. */
+  perMetre(x, y, z) {
+    const away = this.camera.position.distanceTo(new THREE.Vector3(x, y, z * this.stretch));
+    return this.size.height / (2 * Math.tan((ANGLE * Math.PI) / 360) * away);
   }
 
   /** The matrix from places in the model to the screen's -1..1. */
