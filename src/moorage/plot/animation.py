@@ -207,9 +207,8 @@ class Film:
         step = float(f"{max(x1 - x0, y1 - y0) / GRID:.0e}")
         x, y = (np.unique([a, *np.arange(np.ceil(a / step), b / step) * step, b]) for a, b in ((x0, x1), (y0, y1)))
         along_x, along_y = np.linspace(x0, x1, FINE), np.linspace(y0, y1, FINE)
-        rows = [self._on_bed(np.full(FINE, v), along_y) for v in x] + [
-            self._on_bed(along_x, np.full(FINE, v)) for v in y
-        ]
+        rows = [self._on_bed(np.full(FINE, v), along_y) for v in x]
+        rows += [self._on_bed(along_x, np.full(FINE, v)) for v in y]
         self.scene.add_collection(LineCollection(rows, colors=SEABED, linewidths=0.6, alpha=0.6, zorder=1))
         words = f"grid on the seabed: {step:g} m"
         self.scene.text(0.0, 0.0, words, transform=self.scene.transAxes, fontsize=8, color=QUIET)
@@ -222,9 +221,8 @@ class Film:
         """Set what the axes show: the water over the seabed."""
         ax: Axes = self.scene
         ax.set_aspect("equal", adjustable="datalim")
-        ax.update_datalim(
-            np.concatenate([self.look(np.column_stack([self.border, 0.0 * self.border[:, :1]])), self.bottom])
-        )
+        surface = self.look(np.column_stack([self.border, np.zeros(len(self.border))]))
+        ax.update_datalim(np.concatenate([surface, self.bottom]))
         ax.autoscale_view()
         ax.tick_params(labelsize=8)
         ax.spines[["top", "right"]].set_visible(False)

@@ -56,10 +56,15 @@ def quantities(ds: xr.Dataset, frames: slice, position: np.ndarray) -> list[Quan
         Quantity("curvature", "Curvature", "1/m", bent),
         _contact(ds, frames, position),
     ]
-    if "allowed_bend_radius" in ds.coords and ds["allowed_bend_radius"].values.any():
+    if _has_limits(ds):
         used = bent * ds["allowed_bend_radius"].values
         found.append(Quantity("utilisation", "Bend utilisation", "", used))
     return found
+
+
+def count(ds: xr.Dataset) -> int:
+    """Return the number of quantities of a result."""
+    return 4 if _has_limits(ds) else 3
 
 
 def line_starts(ds: xr.Dataset) -> np.ndarray:
@@ -81,6 +86,10 @@ def at_nodes(values: np.ndarray, starts: np.ndarray) -> np.ndarray:
     before[:, inner_or_first + 1] = values
     before[:, first], after[:, last] = after[:, first], before[:, last]
     return 0.5 * (before + after)
+
+
+def _has_limits(ds: xr.Dataset) -> bool:
+    return "allowed_bend_radius" in ds.coords and bool(ds["allowed_bend_radius"].values.any())
 
 
 def _rows(ds: xr.Dataset, name: str, frames: slice) -> np.ndarray:

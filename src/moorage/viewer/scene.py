@@ -12,11 +12,9 @@ from moorage.errors import Problem, ResultError
 from moorage.model import Model
 from moorage.viewer.ground import ground, region_of
 from moorage.viewer.markers import bodies, line_reach, markers, platforms, rods
-from moorage.viewer.quantities import line_starts, quantities
+from moorage.viewer.quantities import count, line_starts, quantities
 from moorage.viewer.times import end_tensions, node_dim, shown_frames, with_time
 from moorage.viewer.water import sea
-
-PER_NODE = 7  # numbers of a node in a frame: its place and four quantities
 
 
 @dataclass(frozen=True)
@@ -29,7 +27,8 @@ class Scene:
         What JSON can hold: names, units, the ranges of colours, the sea.
     arrays : dict of (rows, columns) arrays
         `position` (frames, 3 nodes), `markers` (frames, 3 markers), `rods` (frames, 6 rods),
-        `bodies` (frames, 6 bodies), a table (frames, nodes) of each quantity, `bed` (places, 1) and `history` (rows, 2 lines).
+        `bodies` (frames, 6 bodies), a table (frames, nodes) of each quantity, `bed` (places, 1)
+        and `history` (rows, 2 lines).
     """
 
     meta: dict
@@ -45,7 +44,7 @@ def scene_of(result: xr.Dataset, model: Model | None = None) -> Scene:
     whole = ds[node_dim(ds)].values
     if not len(whole) or not ds.sizes["node"]:
         raise ResultError(Problem("the result holds no instant, or no lines", "run it for longer"))
-    frames, thinned = shown_frames(whole, PER_NODE * ds.sizes["node"] + 3 * ds.sizes["point"])
+    frames, thinned = shown_frames(whole, (3 + count(ds)) * ds.sizes["node"] + 3 * ds.sizes["point"])
     time, position, starts = whole[frames], ds["node_position"][frames].values, line_starts(ds)
     region, colours = region_of(position), quantities(ds, frames, position)
     places, labels = markers(ds, position, time)

@@ -11,8 +11,14 @@ BYTES = 2  # of a value
 
 
 def with_time(ds: xr.Dataset) -> xr.Dataset:
-    """Return a result as it is, or a static solution as an instant at time 0."""
-    return ds if "time" in ds["fairlead_tension"].dims else ds.expand_dims(time=[0.0])
+    """Return a result with its complete instants only, or a static solution as an instant at time 0.
+
+    The last rows of a run that was killed may be missing, and read as NaN.
+    """
+    if "time" not in ds["fairlead_tension"].dims:
+        return ds.expand_dims(time=[0.0])
+    held = {node_dim(ds): ds["node_position"][:, :1, 0], "time": ds["fairlead_tension"].transpose("time", ...)[:, :1]}
+    return ds.isel({dim: np.isfinite(values.values).all(axis=-1) for dim, values in held.items()})
 
 
 def node_dim(ds: xr.Dataset) -> str:

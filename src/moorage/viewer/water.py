@@ -7,7 +7,7 @@ import xarray as xr
 
 from moorage.results.sea import WORDS
 
-CELLS = 200  # of the drawn surface along its longer side
+CELLS = 140  # of the drawn surface along its longer side
 FINEST = 3.0  # cells in the shortest wave that is drawn
 MOST = 200  # components that are drawn
 TOLD = 0.02  # part of the energy that may be left out without a note
