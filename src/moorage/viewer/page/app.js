@@ -244,8 +244,9 @@ class App {
     this.sized(2);
     this.stage.render();
     const shown = meta.moving ? `t = ${words(this.state.time, 0.1)} s` : "static equilibrium";
-    const vertical = this.stage.stretch === 1 ? "" : `, vertical scale ${this.stage.stretch}:1`;
-    const facts = { title: meta.title, below: `${meta.source}, ${shown}${vertical}`, quantity: this.state.quantity };
+    const vertical = this.stage.stretch === 1 ? "" : `vertical scale ${this.stage.stretch}:1`;
+    const below = [meta.source, shown, vertical].filter(Boolean).join(", ");
+    const facts = { title: meta.title, below, quantity: this.state.quantity };
     const canvas = compose(this.stage, this.scales, this.seabed, facts);
     this.sized(ratio);
     this.stale = true;

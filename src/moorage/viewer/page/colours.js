@@ -4,7 +4,7 @@ export const VIRIDIS = [
   "#440154", "#482475", "#414487", "#355f8d", "#2a788e", "#21918c", "#22a884", "#44bf70", "#7ad151", "#bddf26", "#fde725",
 ];
 export const DEPTH = ["#f0e7d0", "#ccd3c6", "#9dbcc6", "#6f9dbb", "#4a7ba6", "#335d8a"]; // shallow to deep
-export const STATES = ["#3b8bc4", "#e69f00", "#7a2e00"]; // clear of the seabed, on it, held by friction
+export const STATES = ["#f6f7f8", "#e69f00", "#7a2e00"]; // clear of the seabed, on it, held by friction
 export const ENDS = ["#D55E00", "#0072B2"]; // Okabe and Ito's
 export const INK = "#1d2733";
 

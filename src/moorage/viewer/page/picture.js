@@ -37,7 +37,10 @@ function legend(c, x, y, quantity) {
   }
   return quantity.states.forEach((name, i) => {
     c.fillStyle = STATES[i];
-    c.fillRect(x, y - 4 + 18 * i, 18, 6);
+    c.fillRect(x, y - 4 + 18 * i, 18, 7);
+    c.strokeStyle = INK;
+    c.lineWidth = 1;
+    c.strokeRect(x, y - 4 + 18 * i, 18, 7);
     text(c, name, x + 26, y + 18 * i);
   });
 }

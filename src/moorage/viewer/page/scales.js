@@ -25,7 +25,7 @@ export class Scales {
       const away = stage.camera.position.clone().sub(stage.controls.target);
       const [farX, farY] = [away.x > 1e-6 * away.length() ? x0 : x1, away.y > 0 ? y0 : y1];
       const [nearX, nearY] = [x0 + x1 - farX, y0 + y1 - farY];
-      const floor = (x, y) => [x, y, this.seabed.levelAt(x, y)];
+      const floor = (x, y) => [x, y, this.seabed.floor];
       const centre = floor((x0 + x1) / 2, (y0 + y1) / 2);
       const middle = stage.pixel(...centre, m);
       this.perMetre = stage.perMetre(...centre);

@@ -48,7 +48,7 @@ export class Sea {
     this.uniforms = {
       waves: { value: this.waves.length ? this.waves : [new THREE.Vector4()] },
       stretch: { value: 1 },
-      steep: { value: slope > 0 ? Math.max(1, 0.18 / slope) : 1 }, // light sees long waves as if they were steeper
+      steep: { value: slope > 0 ? Math.max(1, 0.14 / slope) : 1 }, // light sees long waves as if they were steeper
     };
     const common = { uniforms: this.uniforms, vertexShader: SUM(components.length) + VERTEX, transparent: true };
     const water = new THREE.ShaderMaterial({ ...common, fragmentShader: FRAGMENT, side: THREE.DoubleSide, depthWrite: false });
