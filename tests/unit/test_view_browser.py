@@ -21,7 +21,7 @@ OC4 = Path(__file__).parents[2] / "examples" / "oc4"
 
 START = """
     const app = moorage.app;
-    app.play(false); app.setTime(0); app.select(null); app.help(false); app.setQuantity("tension"); app.setStretch(1);
+    app.play(false); app.setTime(0); app.select(null); moorage.help(false); app.setQuantity("tension"); app.setStretch(1);
     app.look("overview", 0); app.stage.world.children.forEach((c) => (c.visible = true)); document.activeElement.blur();
 """
 

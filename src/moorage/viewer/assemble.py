@@ -14,7 +14,7 @@ from moorage.viewer.scene import Scene
 
 MODULES = (  # each needs only those before it
     "data", "colours", "numbers", "lines", "seabed", "sea", "markers",
-    "stage", "scales", "legend", "plot", "panel", "pick", "picture", "app",
+    "stage", "scales", "legend", "plot", "panel", "pick", "picture", "words", "app", "controls", "main",
 )  # fmt: skip
 
 

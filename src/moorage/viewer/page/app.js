@@ -1,77 +1,75 @@
-// The page: reads its data, builds the scene, and goes on with time.
+// The scene and its state: builds what is shown, moves it with time, and draws what has changed.
 
 import { STATES, strip, VIRIDIS } from "./colours.js";
-import { placeOf, readTables } from "./data.js";
+import { placeOf } from "./data.js";
 import { depthLegend, lineLegend, signLegend } from "./legend.js";
 import { FatLines } from "./lines.js";
 import { Bodies, Markers } from "./markers.js";
-import { roundStep, short, withUnit, words } from "./numbers.js";
+import { roundStep, words } from "./numbers.js";
 import { Panel } from "./panel.js";
-import { pick } from "./pick.js";
 import { compose } from "./picture.js";
 import { Scales } from "./scales.js";
 import { Sea } from "./sea.js";
 import { Seabed } from "./seabed.js";
-import { Stage, VIEWS } from "./stage.js";
+import { Stage } from "./stage.js";
 
 const find = (id) => document.getElementById(id);
-const meta = JSON.parse(find("meta").textContent);
 const calm = window.matchMedia("(prefers-reduced-motion: reduce)").matches;
 const MARKER = 12; // pixels
 const CLOSE = 0.16; // how much of the mooring's extent a close view shows around what moves
 const RIM = [0.08, 0.11, 0.15, 1];
 
-class App {
-  constructor(tables) {
+export class App {
+  constructor(meta, tables) {
+    this.meta = meta;
     this.tables = tables;
-    this.times = meta.time;
+    this.times = this.meta.time;
     this.duration = this.times[this.times.length - 1] - this.times[0];
     this.interval = this.times.length > 1 ? this.duration / (this.times.length - 1) : 0;
     this.nudge = Math.max(this.interval, roundStep(this.duration / 600));
-    this.state = { time: this.times[0], playing: false, speed: 1, quantity: meta.quantities[0], picked: null };
+    this.state = { time: this.times[0], playing: false, speed: 1, quantity: this.meta.quantities[0], picked: null };
     this.spent = [];
     this.stale = true; // something but the camera has changed
     this.build();
-    this.controls();
-    this.setQuantity(meta.quantities[0].key);
+    this.setQuantity(this.meta.quantities[0].key);
     this.stage.resize();
     this.look("overview", 0);
   }
 
   build() {
-    const [x0, y0, x1, y1] = meta.region;
+    const [x0, y0, x1, y1] = this.meta.region;
     const span = Math.max(x1 - x0, y1 - y0);
     const step = roundStep(span / 12);
-    this.seabed = new Seabed(meta, this.tables.bed, step);
-    this.stage = new Stage(find("scene"), meta, this.seabed);
-    this.sea = new Sea(meta);
+    this.seabed = new Seabed(this.meta, this.tables.bed, step);
+    this.stage = new Stage(find("scene"), this.meta, this.seabed);
+    this.sea = new Sea(this.meta);
     const world = this.stage.world;
     world.add(this.seabed.mesh, this.sea.group);
     this.palettes = { lines: strip(VIRIDIS), states: {} };
-    const owner = meta.lines.flatMap(({ first, last }, k) => Array(last - first + 1).fill(k));
+    const owner = this.meta.lines.flatMap(({ first, last }, k) => Array(last - first + 1).fill(k));
     this.lines = new FatLines(owner);
     this.shadow = new FatLines(owner);
     this.shadow.draw(world, { width: 2.5, colour: [0.1, 0.15, 0.2, 0.25], lift: 2e-5, cap: 0 }, 1);
     this.rim = this.lines.draw(world, { width: 4, rim: 1.2, colour: RIM, lift: 2e-4 }, 2);
     this.body = this.lines.draw(world, { width: 4, colours: this.palettes.lines, lift: 4e-4 }, 3);
-    this.rods = new FatLines(meta.rods.flatMap((_, k) => [k, k]));
+    this.rods = new FatLines(this.meta.rods.flatMap((_, k) => [k, k]));
     this.rods.draw(world, { width: 8, colour: [0.28, 0.32, 0.36, 1], lift: 3e-4, solid: true }, 2);
-    this.rings = meta.platforms.map((group) => [...group, ...(group.length > 2 ? [group[0]] : [])]);
+    this.rings = this.meta.platforms.map((group) => [...group, ...(group.length > 2 ? [group[0]] : [])]);
     this.platforms = new FatLines(this.rings.flatMap((ring, k) => ring.map(() => k)));
     this.platforms.draw(world, { width: 7, rim: 1.2, colour: RIM, lift: 2e-4 }, 2);
     this.platforms.draw(world, { width: 7, colour: [0.93, 0.71, 0.25, 1], lift: 4e-4, solid: true }, 3);
-    this.markers = new Markers(meta.markers, this.stage.renderer.getPixelRatio());
-    this.bodies = new Bodies(meta.bodies, span / 40);
+    this.markers = new Markers(this.meta.markers, this.stage.renderer.getPixelRatio());
+    this.bodies = new Bodies(this.meta.bodies, span / 40);
     world.add(this.markers.mesh, this.bodies.group);
-    this.scales = new Scales(find("ticks"), find("axes"), meta, this.seabed, step);
-    this.panel = new Panel(find("panel"), meta, this.tables.history);
+    this.scales = new Scales(find("ticks"), find("axes"), this.meta, this.seabed, step);
+    this.panel = new Panel(find("panel"), this.meta, this.tables.history);
     this.nodes = new Float32Array(this.tables.position.columns);
     this.rodEnds = new Float32Array(this.tables.rods.columns);
     this.values = {};
-    for (const { key } of meta.quantities) this.values[key] = new Float32Array(this.tables[key].columns);
+    for (const { key } of this.meta.quantities) this.values[key] = new Float32Array(this.tables[key].columns);
     this.across = mainDirection(this.tables.position);
     find("depth").innerHTML = depthLegend(this.seabed);
-    find("signs").innerHTML = signLegend(meta.markers);
+    find("signs").innerHTML = signLegend(this.meta.markers);
   }
 
   /** Put everything where it is at the time of the state. */
@@ -79,9 +77,13 @@ class App {
     const { time, quantity } = this.state;
     const [row, share] = placeOf(time, this.times);
     const position = this.tables.position.mix(row, share, this.nodes);
-    for (const { key } of meta.quantities) this.tables[key].mix(row, meta.quantities.find((q) => q.key === key).states.length ? Math.round(share) : share, this.values[key]);
+    for (const { key, states } of this.meta.quantities) {
+      this.tables[key].mix(row, states.length ? Math.round(share) : share, this.values[key]); // no state between states
+    }
     const values = this.values[quantity.key];
-    const [low, scale] = quantity.states.length ? [-0.5, 1 / quantity.states.length] : [quantity.low, 1 / (quantity.high - quantity.low)];
+    const [low, scale] = quantity.states.length
+      ? [-0.5, 1 / quantity.states.length]
+      : [quantity.low, 1 / (quantity.high - quantity.low)];
     const [out, ground] = [this.lines.data, this.shadow.data];
     for (let i = 0; i < values.length; i++) {
       const [x, y] = [position[3 * i], position[3 * i + 1]];
@@ -96,7 +98,8 @@ class App {
     this.tables.bodies.mix(row, share, this.bodies.data);
     for (let i = 0; i < this.rods.count; i++) this.rods.data.set(this.rodEnds.subarray(3 * i, 3 * i + 3), 4 * i);
     this.rings.flat().forEach((k, i) => this.platforms.data.set(this.markers.data.subarray(3 * k, 3 * k + 3), 4 * i));
-    for (const thing of [this.lines, this.shadow, this.rods, this.platforms, this.markers, this.bodies]) thing.changed();
+    for (const thing of [this.lines, this.shadow, this.rods, this.platforms, this.markers, this.bodies])
+      thing.changed();
     this.sea.at(time);
   }
 
@@ -126,13 +129,13 @@ class App {
 
   showTime() {
     const { time, quantity, playing } = this.state;
-    if (meta.moving) {
+    if (this.meta.moving) {
       find("now").textContent = time.toFixed(this.interval < 0.095 ? 2 : 1);
       if (document.activeElement !== find("slider") || playing) find("slider").value = time;
     }
     if (!this.panel.open) return;
     if (this.panel.along) this.panel.draw(time, quantity, this.values[quantity.key]);
-    this.panel.now(time, placeOf(time, meta.historyTime));
+    this.panel.now(time, placeOf(time, this.meta.historyTime));
   }
 
   setTime(time) {
@@ -141,19 +144,18 @@ class App {
   }
 
   play(on) {
-    this.state.playing = on && meta.moving;
+    this.state.playing = on && this.meta.moving;
     find("play").setAttribute("aria-label", this.state.playing ? "Pause" : "Play");
     find("play").classList.toggle("playing", this.state.playing);
   }
 
   setQuantity(key) {
-    const quantity = (this.state.quantity = meta.quantities.find((q) => q.key === key));
+    const quantity = (this.state.quantity = this.meta.quantities.find((q) => q.key === key));
     find("quantity").value = key;
     find("scale").innerHTML = lineLegend(quantity);
     const n = quantity.states.length;
     this.body.colours.value = n ? (this.palettes.states[n] ??= strip(STATES, n)) : this.palettes.lines;
     this.stale = true;
-    if (this.panel.open && this.panel.along) this.redraw = true;
   }
 
   setStretch(factor) {
@@ -165,8 +167,8 @@ class App {
 
   look(view, swift) {
     this.view = view;
-    const [a, b] = [meta.low, meta.high];
-    const [x0, y0, x1, y1] = meta.region;
+    const [a, b] = [this.meta.low, this.meta.high];
+    const [x0, y0, x1, y1] = this.meta.region;
     const box = (xs, ys, zs) => xs.flatMap((x) => ys.flatMap((y) => zs.map((z) => [x, y, z])));
     const upright = [a[2], Math.max(0, b[2])];
     let around = box([x0, x1], [y0, y1], upright);
@@ -175,7 +177,9 @@ class App {
     if (view === "top") around = box([x0, x1], [y0, y1], [0]);
     const across = view === "top" ? [1, 0] : this.across;
     this.stage.look(view, around, across, calm ? 0 : swift);
-    document.querySelectorAll("[data-view]").forEach((button) => button.setAttribute("aria-pressed", button.dataset.view === view));
+    document
+      .querySelectorAll("[data-view]")
+      .forEach((button) => button.setAttribute("aria-pressed", button.dataset.view === view));
   }
 
   /** Places of the clicked line, or else around what moves, or the highest place. */
@@ -183,13 +187,16 @@ class App {
     const { picked } = this.state;
     const node = (i) => Array.from(this.nodes.subarray(3 * i, 3 * i + 3));
     if (picked !== null) {
-      const { first, last } = meta.lines[picked];
+      const { first, last } = this.meta.lines[picked];
       return Array.from({ length: last - first + 1 }, (_, i) => node(first + i));
     }
-    const moved = meta.markers.flatMap(({ kind }, k) => (kind.startsWith("coupled") ? [Array.from(this.markers.data.subarray(3 * k, 3 * k + 3))] : []));
+    const moved = this.meta.markers.flatMap(({ kind }, k) =>
+      kind.startsWith("coupled") ? [Array.from(this.markers.data.subarray(3 * k, 3 * k + 3))] : [],
+    );
     let middle = moved.length ? moved : [node(0)];
-    if (!moved.length) for (let i = 0; 3 * i < this.nodes.length; i++) if (this.nodes[3 * i + 2] > middle[0][2]) middle = [node(i)];
-    const reach = CLOSE * Math.hypot(...[0, 1, 2].map((k) => meta.high[k] - meta.low[k]));
+    if (!moved.length)
+      for (let i = 0; 3 * i < this.nodes.length; i++) if (this.nodes[3 * i + 2] > middle[0][2]) middle = [node(i)];
+    const reach = CLOSE * Math.hypot(...[0, 1, 2].map((k) => this.meta.high[k] - this.meta.low[k]));
     const all = Array.from({ length: this.nodes.length / 3 }, (_, i) => node(i));
     const near = all.filter((p) => middle.some((q) => Math.hypot(...p.map((v, k) => v - q[k])) < reach));
     return [...middle, ...near];
@@ -203,50 +210,14 @@ class App {
     this.stale = true;
   }
 
-  hover(x, y) {
-    const found = pick(this.stage, x, y, this.markers.data, meta.lines, this.lines.data);
-    const tip = find("tip");
-    tip.hidden = !found;
-    this.stage.canvas.style.cursor = found?.line !== undefined ? "pointer" : "";
-    if (!found) return found;
-    tip.innerHTML = found.marker !== undefined ? this.markerWords(found.marker) : this.lineWords(found);
-    const left = x + 16 + tip.offsetWidth > this.stage.size.width ? x - 16 - tip.offsetWidth : x + 16;
-    const top = Math.min(y + 12, this.stage.size.height - tip.offsetHeight - 8);
-    tip.style.transform = `translate(${left}px, ${top}px)`;
-    return found;
-  }
-
-  markerWords(k) {
-    const { name, kind } = meta.markers[k];
-    const [x, y, z] = Array.from(this.markers.data.subarray(3 * k, 3 * k + 3)).map((v) => words(v, 0.1));
-    const title = document.createElement("b");
-    title.textContent = name;
-    return `${title.outerHTML} <span>${kind.startsWith("coupled") ? "moved" : kind}</span><br>x ${x} &nbsp; y ${y} &nbsp; z ${z} m`;
-  }
-
-  lineWords({ line, node, share }) {
-    const { name, first, arc } = meta.lines[line];
-    const s = arc[node - first] + share * (arc[node - first + 1] - arc[node - first]);
-    const z = this.nodes[3 * node + 2] + share * (this.nodes[3 * node + 5] - this.nodes[3 * node + 2]);
-    const title = document.createElement("b");
-    title.textContent = name;
-    const rows = meta.quantities.map((q) => {
-      const v = this.values[q.key];
-      const text = q.states.length ? q.states[Math.round(v[share < 0.5 ? node : node + 1])] : withUnit(v[node] + share * (v[node + 1] - v[node]), q.unit);
-      return `<tr><td>${q.label}</td><td>${text}</td></tr>`;
-    });
-    const place = `<tr><td>Arc length from end A</td><td>${words(s, 0.1)} m</td></tr><tr><td>z</td><td>${words(z, 0.1)} m</td></tr>`;
-    return `${title.outerHTML}<table>${place}${rows.join("")}</table>`;
-  }
-
   picture() {
     const ratio = this.stage.renderer.getPixelRatio();
     this.sized(2);
     this.stage.render();
-    const shown = meta.moving ? `t = ${words(this.state.time, 0.1)} s` : "static equilibrium";
+    const shown = this.meta.moving ? `t = ${words(this.state.time, 0.1)} s` : "static equilibrium";
     const vertical = this.stage.stretch === 1 ? "" : `vertical scale ${this.stage.stretch}:1`;
-    const below = [meta.source, shown, vertical].filter(Boolean).join(", ");
-    const facts = { title: meta.title, below, quantity: this.state.quantity };
+    const below = [this.meta.source, shown, vertical].filter(Boolean).join(", ");
+    const facts = { title: this.meta.title, below, quantity: this.state.quantity };
     const canvas = compose(this.stage, this.scales, this.seabed, facts);
     this.sized(ratio);
     this.stale = true;
@@ -261,106 +232,17 @@ class App {
   save() {
     const link = document.createElement("a");
     link.href = this.picture().toDataURL("image/png");
-    link.download = `${meta.source.replace(/\.[^.]*$/, "") || "mooring"}.png`;
+    link.download = `${this.meta.source.replace(/\.[^.]*$/, "") || "mooring"}.png`;
     link.click();
   }
-
-  controls() {
-    const on = (id, event, act) => find(id).addEventListener(event, act);
-    find("title").textContent = meta.title;
-    find("facts").textContent = this.facts();
-    find("notes").innerHTML = "";
-    for (const note of meta.notes) find("notes").appendChild(document.createElement("li")).textContent = note;
-    for (const q of meta.quantities) find("quantity").add(new Option(q.unit ? `${q.label} (${q.unit})` : q.label, q.key));
-    document.body.classList.toggle("still", !meta.moving);
-    Object.assign(find("slider"), { min: this.times[0], max: this.times[this.times.length - 1], value: this.times[0] });
-    find("end").textContent = short(this.times[this.times.length - 1]);
-    find("speed").value = this.state.speed = this.duration > 240 ? 5 : 1;
-    on("slider", "input", (e) => this.setTime(Number(e.target.value)));
-    on("play", "click", () => this.play(!this.state.playing));
-    on("speed", "change", (e) => (this.state.speed = Number(e.target.value)));
-    on("quantity", "change", (e) => this.setQuantity(e.target.value));
-    on("stretch", "change", (e) => this.setStretch(Number(e.target.value)));
-    on("save", "click", () => this.save());
-    on("ask", "click", () => this.help(find("help").hidden));
-    on("help", "click", () => this.help(false));
-    document.querySelectorAll("[data-view]").forEach((b) => b.addEventListener("click", () => this.look(b.dataset.view)));
-    this.panel.find("close").addEventListener("click", () => this.select(null));
-    for (const [part, along] of [["over", false], ["along", true]]) {
-      this.panel.find(part).addEventListener("click", () => {
-        this.panel.along = along;
-        this.panel.draw(this.state.time, this.state.quantity, this.values[this.state.quantity.key]);
-        this.stale = true;
-      });
-    }
-    this.panel.plot.canvas.addEventListener("click", (e) => {
-      if (!this.panel.along) this.setTime(this.panel.plot.under(e.offsetX));
-    });
-    this.pointer();
-    window.addEventListener("keydown", (e) => this.key(e));
-    new ResizeObserver(() => this.stage.resize()).observe(this.stage.canvas);
-  }
-
-  pointer() {
-    const canvas = this.stage.canvas;
-    let down = null;
-    canvas.addEventListener("pointermove", (e) => {
-      if (!e.buttons) this.hover(e.offsetX, e.offsetY);
-      else find("tip").hidden = true;
-    });
-    canvas.addEventListener("pointerleave", () => (find("tip").hidden = true));
-    canvas.addEventListener("pointerdown", (e) => (down = [e.offsetX, e.offsetY]));
-    canvas.addEventListener("pointerup", (e) => {
-      if (!down || Math.hypot(e.offsetX - down[0], e.offsetY - down[1]) > 4) return;
-      const found = this.hover(e.offsetX, e.offsetY);
-      if (found?.line !== undefined) this.select(found.line);
-      else if (!found) this.select(null);
-    });
-  }
-
-  key(e) {
-    if (e.ctrlKey || e.metaKey || e.altKey) return;
-    const steps = { ArrowLeft: -1, ArrowRight: 1, ArrowDown: -10, ArrowUp: 10 };
-    const act =
-      e.key in steps
-        ? () => this.setTime(this.state.time + steps[e.key] * (e.shiftKey ? 10 : 1) * this.nudge)
-        : {
-            " ": () => this.play(!this.state.playing),
-            Home: () => this.setTime(this.times[0]),
-            End: () => this.setTime(this.times[this.times.length - 1]),
-            "?": () => this.help(find("help").hidden),
-            Escape: () => (find("help").hidden ? this.select(null) : this.help(false)),
-            c: () => this.setQuantity(next(meta.quantities.map((q) => q.key), this.state.quantity.key)),
-            l: () => this.select(next([...meta.lines.keys(), null], this.state.picked)),
-            v: () => this.setStretch(next([...find("stretch").options].map((o) => Number(o.value)), this.stage.stretch)),
-            p: () => this.save(),
-          }[e.key] ?? (VIEWS[Number(e.key) - 1] && (() => this.look(VIEWS[Number(e.key) - 1])));
-    if (!act || (e.target.tagName === "SELECT" && e.key in steps)) return;
-    if (e.key === " " && e.target.tagName === "BUTTON" && e.target.id !== "play") return; // the button's own press
-    e.preventDefault();
-    act();
-  }
-
-  help(open) {
-    find("help").hidden = !open;
-  }
-
-  facts() {
-    const nodes = meta.lines.reduce((sum, { first, last }) => sum + last - first, 0);
-    const n = meta.lines.length;
-    const time = meta.moving ? `${short(this.duration)} s, one instant every ${short(this.interval)} s` : "static equilibrium";
-    return [meta.source, `${n} line${n > 1 ? "s" : ""}, ${nodes} segments`, time, meta.sea.asked].filter(Boolean).join(" · ");
-  }
-}
-
-function next(values, value) {
-  return values[(values.indexOf(value) + 1) % values.length];
 }
 
 /** The horizontal direction in which a mooring extends most at the start, pointing along +x; +x where it has none. */
 function mainDirection(position) {
   const n = position.columns / 3;
-  const mean = [0, 1].map((k) => Array.from({ length: n }, (_, i) => position.at(0, 3 * i + k)).reduce((a, b) => a + b) / n);
+  const mean = [0, 1].map(
+    (k) => Array.from({ length: n }, (_, i) => position.at(0, 3 * i + k)).reduce((a, b) => a + b) / n,
+  );
   let [xx, xy, yy] = [0, 0, 0];
   for (let i = 0; i < n; i++) {
     const [x, y] = [position.at(0, 3 * i) - mean[0], position.at(0, 3 * i + 1) - mean[1]];
@@ -373,37 +255,3 @@ function mainDirection(position) {
   const angle = 0.5 * Math.atan2(2 * xy, xx - yy);
   return Math.cos(angle) < -1e-9 ? [-Math.cos(angle), -Math.sin(angle)] : [Math.cos(angle), Math.sin(angle)];
 }
-
-/** What tests and other scripts may ask of a page. */
-function hook(app) {
-  return {
-    app,
-    ready: performance.now(),
-    setTime: (time) => app.setTime(time),
-    node: (i) => Array.from(app.nodes.subarray(3 * i, 3 * i + 3)),
-    value: (key, i) => app.values[key][i],
-    elevation: (x, y, time) => app.sea.elevation(x, y, time),
-    pixel: (x, y, z) => app.stage.pixel(x, y, z),
-    script: () => {
-      const sorted = [...app.spent].sort((a, b) => a - b);
-      const mean = sorted.reduce((a, b) => a + b, 0) / sorted.length;
-      return { frames: sorted.length, mean, p95: sorted[Math.floor(0.95 * (sorted.length - 1))], most: sorted[sorted.length - 1] };
-    },
-    clear: () => (app.spent = []),
-  };
-}
-
-async function main() {
-  try {
-    const app = new App(await readTables(find("data").textContent));
-    app.frame(performance.now());
-    window.moorage = hook(app);
-    document.documentElement.dataset.ready = window.moorage.ready.toFixed(0);
-    find("wait").remove();
-  } catch (error) {
-    find("wait").textContent = `This page needs WebGL 2 and a browser of 2023 or later. (${error.message})`;
-    throw error;
-  }
-}
-
-main();

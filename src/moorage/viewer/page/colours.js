@@ -1,7 +1,17 @@
 // Colours that are told apart by the colour-blind and in print: viridis for lines, lightness for depth.
 
 export const VIRIDIS = [
-  "#440154", "#482475", "#414487", "#355f8d", "#2a788e", "#21918c", "#22a884", "#44bf70", "#7ad151", "#bddf26", "#fde725",
+  "#440154",
+  "#482475",
+  "#414487",
+  "#355f8d",
+  "#2a788e",
+  "#21918c",
+  "#22a884",
+  "#44bf70",
+  "#7ad151",
+  "#bddf26",
+  "#fde725",
 ];
 export const DEPTH = ["#f0e7d0", "#ccd3c6", "#9dbcc6", "#6f9dbb", "#4a7ba6", "#335d8a"]; // shallow to deep
 export const STATES = ["#f6f7f8", "#e69f00", "#7a2e00"]; // clear of the seabed, on it, held by friction
@@ -24,7 +34,9 @@ export function colourAt(palette, share) {
 export function strip(palette, states = 0) {
   const pixels = new Uint8Array(4 * 256);
   for (let i = 0; i < 256; i++) {
-    const colour = states ? rgb(palette[Math.min(Math.floor((i / 256) * states), states - 1)]) : colourAt(palette, i / 255);
+    const colour = states
+      ? rgb(palette[Math.min(Math.floor((i / 256) * states), states - 1)])
+      : colourAt(palette, i / 255);
     pixels.set([...colour, 255], 4 * i);
   }
   const texture = new THREE.DataTexture(pixels, 256, 1);

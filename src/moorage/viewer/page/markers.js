@@ -28,7 +28,10 @@ const FRAGMENT = `
   }`;
 
 export function kindOf(label) {
-  return Math.max(0, KINDS.findIndex((kind) => label.kind.startsWith(kind)));
+  return Math.max(
+    0,
+    KINDS.findIndex((kind) => label.kind.startsWith(kind)),
+  );
 }
 
 export class Markers {
@@ -39,7 +42,9 @@ export class Markers {
     this.position = new THREE.BufferAttribute(this.data, 3).setUsage(THREE.DynamicDrawUsage);
     geometry.setAttribute("position", this.position);
     geometry.setAttribute("kind", new THREE.BufferAttribute(Float32Array.from(labels, kindOf), 1));
-    const colours = SIGN_COLOURS.map((hex) => new THREE.Vector3(...[1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16) / 255)));
+    const colours = SIGN_COLOURS.map(
+      (hex) => new THREE.Vector3(...[1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16) / 255)),
+    );
     const material = new THREE.ShaderMaterial({
       vertexShader: VERTEX,
       fragmentShader: FRAGMENT,

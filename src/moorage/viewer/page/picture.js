@@ -20,7 +20,10 @@ export function compose(stage, scales, seabed, facts) {
   c.fillRect(0, 0, width, height);
   c.drawImage(stage.renderer.domElement, 0, 0, width, height);
   for (const label of scales.labels.filter((l) => l.style.display !== "none")) {
-    const [x, y] = label.style.transform.match(/translate\(([-\d.]+)px, ([-\d.]+)px\)/).slice(1).map(Number);
+    const [x, y] = label.style.transform
+      .match(/translate\(([-\d.]+)px, ([-\d.]+)px\)/)
+      .slice(1)
+      .map(Number);
     text(c, label.textContent, x, y, { align: "center", colour: label.className ? INK : QUIET });
   }
   text(c, facts.title, 24, 30, { size: 16, weight: 600 });
@@ -52,7 +55,8 @@ function bar(c, x, y, title, palette, low, high) {
     c.fillRect(x + i, y + 12, 1.5, 10);
   }
   const { values, step } = scaleTicks(low, high);
-  for (const v of values) text(c, words(v, step), x + (230 * (v - low)) / (high - low), y + 34, { align: "center", colour: QUIET });
+  for (const v of values)
+    text(c, words(v, step), x + (230 * (v - low)) / (high - low), y + 34, { align: "center", colour: QUIET });
 }
 
 function text(c, words_, x, y, { size = 12, weight = 400, align = "left", colour = INK } = {}) {

@@ -16,7 +16,8 @@ export class Plot {
   show({ curves, xLabel, yLabel, range = null }) {
     const ratio = window.devicePixelRatio || 1;
     const { clientWidth: width, clientHeight: height } = this.canvas;
-    for (const canvas of [this.canvas, this.still]) Object.assign(canvas, { width: width * ratio, height: height * ratio });
+    for (const canvas of [this.canvas, this.still])
+      Object.assign(canvas, { width: width * ratio, height: height * ratio });
     Object.assign(this, { ratio, width, height });
     this.x = extent(curves.map((curve) => curve.x));
     this.y = range ?? padded(extent(curves.map((curve) => curve.y)));

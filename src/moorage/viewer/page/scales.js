@@ -31,7 +31,10 @@ export class Scales {
       this.perMetre = stage.perMetre(...centre);
       this.edge(stage, m, ticks(x0, x1, (x1 - x0) / this.step), (v) => floor(v, nearY), "x", middle);
       this.edge(stage, m, ticks(y0, y1, (y1 - y0) / this.step), (v) => floor(nearX, v), "y", middle);
-      this.upright(stage, m, [[farX, nearY], [nearX, farY]]);
+      this.upright(stage, m, [
+        [farX, nearY],
+        [nearX, farY],
+      ]);
     }
     this.labels.slice(this.used).forEach((label) => (label.style.display = "none"));
     this.turnAxes(stage);

@@ -51,7 +51,12 @@ export class Sea {
       steep: { value: slope > 0 ? Math.max(1, 0.14 / slope) : 1 }, // light sees long waves as if they were steeper
     };
     const common = { uniforms: this.uniforms, vertexShader: SUM(components.length) + VERTEX, transparent: true };
-    const water = new THREE.ShaderMaterial({ ...common, fragmentShader: FRAGMENT, side: THREE.DoubleSide, depthWrite: false });
+    const water = new THREE.ShaderMaterial({
+      ...common,
+      fragmentShader: FRAGMENT,
+      side: THREE.DoubleSide,
+      depthWrite: false,
+    });
     const edge = new THREE.ShaderMaterial({ ...common, fragmentShader: EDGE, depthWrite: false });
     const [surface, border] = this.geometries(meta.region, components.length ? cells : 1);
     this.group = new THREE.Group();

@@ -65,7 +65,13 @@ export class Stage {
       this.flight = null;
       this.controls.update();
     } else {
-      this.flight = { ...goal, from: this.camera.position.clone(), to: this.controls.target.clone(), start: null, swift };
+      this.flight = {
+        ...goal,
+        from: this.camera.position.clone(),
+        to: this.controls.target.clone(),
+        start: null,
+        swift,
+      };
     }
     this.moved = true;
   }
@@ -83,14 +89,22 @@ export class Stage {
     let distance = 1;
     for (let pass = 0; pass < 4; pass++) {
       const seen = places.map((p) => p.clone().sub(target)).map((d) => [d.dot(right), d.dot(top), d.dot(away)]);
-      distance = Math.max(...seen.map(([u, v, w]) => w + 2 * Math.max(Math.abs(u) / span[0], Math.abs(v) / span[1]) / perPixel), 1);
-      for (const [k, direction] of [[0, right], [1, top]]) {
+      distance = Math.max(
+        ...seen.map(([u, v, w]) => w + (2 * Math.max(Math.abs(u) / span[0], Math.abs(v) / span[1])) / perPixel),
+        1,
+      );
+      for (const [k, direction] of [
+        [0, right],
+        [1, top],
+      ]) {
         const shown = seen.map((s) => s[k] / (distance - s[2]));
         target.addScaledVector(direction, 0.5 * (Math.max(...shown) + Math.min(...shown)) * distance);
       }
     }
     const shift = perPixel * distance * 0.5; // the middle of the free part is not that of the screen
-    target.addScaledVector(right, (free.right - free.left) * shift).addScaledVector(top, (free.top - free.bottom) * shift);
+    target
+      .addScaledVector(right, (free.right - free.left) * shift)
+      .addScaledVector(top, (free.top - free.bottom) * shift);
     return { target, position: target.clone().addScaledVector(away, distance) };
   }
 
