@@ -6,7 +6,8 @@ import numpy as np
 import xarray as xr
 
 MOST_BYTES = 13_000_000  # of all frames together, before they are compressed: a page never grows beyond 20 MB
-MOST_HISTORY = 250_000  # values of the tensions at the ends of all lines
+MOST_FRAMES = 40_000
+MOST_HISTORY = 100_000  # values of the tensions at the ends of all lines
 BYTES = 2  # of a value
 
 
@@ -34,7 +35,7 @@ def shown_frames(time: np.ndarray, values: int) -> tuple[slice, str]:
     values : int
         Numbers of a frame.
     """
-    most = max(2, MOST_BYTES // (BYTES * max(values, 1)))
+    most = min(max(2, MOST_BYTES // (BYTES * max(values, 1))), MOST_FRAMES)
     step = -(-len(time) // most)
     if step <= 1:
         return slice(0, len(time)), ""
