@@ -41,7 +41,7 @@ def shown_frames(time: np.ndarray, values: int) -> tuple[slice, str]:
         return slice(0, len(time)), ""
     interval = (time[-1] - time[0]) / (len(time) - 1) * step
     return slice(0, len(time), step), (
-        f"The run is long: 1 of {step} saved instants is shown, one every {interval:.3g} s. "
+        f"The result is large: 1 of {step} saved instants is shown, one every {interval:.3g} s. "
         "Tension histories keep their extremes."
     )
 

@@ -15,8 +15,7 @@ import { Stage } from "./stage.js";
 
 const find = (id) => document.getElementById(id);
 const calm = window.matchMedia("(prefers-reduced-motion: reduce)").matches;
-const MARKER = 12; // pixels
-const CLOSE = 0.16; // how much of the mooring's extent a close view shows around what moves
+const CLOSE = 0.25; // how much of a line's span a close view shows around what moves
 const RIM = [0.08, 0.11, 0.15, 1];
 
 export class App {
@@ -182,24 +181,23 @@ export class App {
       .forEach((button) => button.setAttribute("aria-pressed", button.dataset.view === view));
   }
 
-  /** Places of the clicked line, or else around what moves, or the highest place. */
+  /** Places of the clicked line, or around the platform in the middle, or around what moves, or the highest place. */
   closeUp() {
     const { picked } = this.state;
-    const node = (i) => Array.from(this.nodes.subarray(3 * i, 3 * i + 3));
-    if (picked !== null) {
-      const { first, last } = this.meta.lines[picked];
-      return Array.from({ length: last - first + 1 }, (_, i) => node(first + i));
-    }
-    const moved = this.meta.markers.flatMap(({ kind }, k) =>
-      kind.startsWith("coupled") ? [Array.from(this.markers.data.subarray(3 * k, 3 * k + 3))] : [],
-    );
-    let middle = moved.length ? moved : [node(0)];
-    if (!moved.length)
-      for (let i = 0; 3 * i < this.nodes.length; i++) if (this.nodes[3 * i + 2] > middle[0][2]) middle = [node(i)];
-    const reach = CLOSE * Math.hypot(...[0, 1, 2].map((k) => this.meta.high[k] - this.meta.low[k]));
+    const at = (data) => (i) => Array.from(data.subarray(3 * i, 3 * i + 3));
+    const [node, marker] = [at(this.nodes), at(this.markers.data)];
     const all = Array.from({ length: this.nodes.length / 3 }, (_, i) => node(i));
-    const near = all.filter((p) => middle.some((q) => Math.hypot(...p.map((v, k) => v - q[k])) < reach));
-    return [...middle, ...near];
+    if (picked !== null) return all.slice(this.meta.lines[picked].first, this.meta.lines[picked].last + 1);
+    const moved = [...this.meta.markers.keys()].filter((k) => this.meta.markers[k].kind.startsWith("coupled"));
+    const [x0, y0, x1, y1] = this.meta.region;
+    const away = ([x, y]) => Math.hypot(x - (x0 + x1) / 2, y - (y0 + y1) / 2);
+    const central = (a, b) => away(marker(a[0])) - away(marker(b[0]));
+    const groups = [...this.meta.platforms].sort(central);
+    const shown = (groups[0] ?? moved).map(marker);
+    if (!shown.length) shown.push(all.reduce((a, b) => (b[2] > a[2] ? b : a)));
+    const spans = this.meta.lines.map(({ first, last }) => distance(all[first], all[last]));
+    const reach = (CLOSE * spans.reduce((a, b) => a + b)) / spans.length;
+    return [...shown, ...all.filter((p) => shown.some((q) => distance(p, q) < reach))];
   }
 
   select(line) {
@@ -226,7 +224,7 @@ export class App {
 
   sized(ratio) {
     this.stage.renderer.setPixelRatio(ratio);
-    this.markers.mesh.material.uniforms.size.value = MARKER * ratio;
+    this.markers.sized(ratio);
   }
 
   save() {
@@ -235,6 +233,10 @@ export class App {
     link.download = `${this.meta.source.replace(/\.[^.]*$/, "") || "mooring"}.png`;
     link.click();
   }
+}
+
+function distance(a, b) {
+  return Math.hypot(...a.map((v, k) => v - b[k]));
 }
 
 /** The horizontal direction in which a mooring extends most at the start, pointing along +x; +x where it has none. */

@@ -1,6 +1,7 @@
 // Points as signs of one size on the screen: squares are fixed, discs are moved, diamonds are free. Bodies as boxes.
 
 export const KINDS = ["fixed", "coupled", "free"];
+const [SMALLEST, LARGEST] = [7, 12]; // pixels
 export const SIGN_COLOURS = ["#1d2733", "#ffffff", "#cc79a7"];
 
 const VERTEX = `
@@ -48,11 +49,19 @@ export class Markers {
     const material = new THREE.ShaderMaterial({
       vertexShader: VERTEX,
       fragmentShader: FRAGMENT,
-      uniforms: { size: { value: 12 * ratio }, colours: { value: colours } },
+      uniforms: { size: { value: 0 }, colours: { value: colours } },
     });
+    this.uniforms = material.uniforms;
+    this.sized(ratio);
     this.mesh = new THREE.Points(geometry, material);
     this.mesh.frustumCulled = false;
     this.mesh.renderOrder = 5;
+  }
+
+  /** Set the size for a screen with so many pixels to one of the page; many signs are smaller. */
+  sized(ratio) {
+    this.uniforms.size.value =
+      ratio * Math.min(LARGEST, Math.max(SMALLEST, LARGEST * Math.sqrt(40 / this.labels.length)));
   }
 
   changed() {
