@@ -166,6 +166,7 @@ def test_names_and_values_show_under_the_pointer(shown, run):
     assert tip.text.startswith("line 1")
     told = float(re.search(r"Tension ([\d.]+) kN", tip.text)[1])
     exact = run["segment_tension"].isel(time=0, segment=slice(9, 11)).mean().item() / 1e3
+    assert shown.execute_script("return moorage.value('tension', 10)") == pytest.approx(exact, rel=1e-4)
     assert told == pytest.approx(exact, rel=0.02)  # at the place under the pointer, within a pixel or so
     assert "held by friction" in tip.text or "clear of the seabed" in tip.text
 
@@ -272,7 +273,7 @@ def test_a_page_shows_itself_in_a_frame_of_a_notebook(page, run, tmp_path):
 def test_rods_and_bodies_are_drawn(page, run, tmp_path):
     """Rods of 60 m and a body stand where a dataset says; hidden, the picture changes."""
     time = run["time"].values
-    ends = np.zeros((len(time), 1, 2, 3)) + np.array([[-400.0, -300.0, -30.0], [-340.0, -300.0, -30.0]])
+    ends = np.zeros((len(time), 1, 2, 3)) + np.array([[-400.0, -500.0, -30.0], [-340.0, -500.0, -30.0]])
     place = np.zeros((len(time), 1, 3)) + np.array([-400.0, 300.0, -30.0])
     ds = run.assign(
         rod_position=(("time", "rod", "rod_end", "xyz"), ends),
@@ -288,6 +289,11 @@ def test_rods_and_bodies_are_drawn(page, run, tmp_path):
         change = np.abs(without - whole).max(axis=-1)[int(y) - 4 : int(y) + 5, int(x) - 4 : int(x) + 5]
         assert (change > 20).mean() > 0.3, thing
         page.execute_script(f"moorage.app.{thing}.visible = true")
+    for name, where in (("rod 7", ends[0, 0].mean(axis=0)), ("body 3", place[0, 0])):
+        x, y, _ = page.execute_script(f"return moorage.pixel(...{json.dumps(where.tolist())})")
+        at(page, x, y).perform()
+        browser.settle(page)
+        assert page.find_element("id", "tip").text == name
     turn = page.execute_script(
         "const b = moorage.app.bodies.group.children[0]; return b.rotation.toArray().slice(0, 3)"
     )

@@ -25,6 +25,7 @@ export class App {
     this.times = this.meta.time;
     this.duration = this.times[this.times.length - 1] - this.times[0];
     this.interval = this.times.length > 1 ? this.duration / (this.times.length - 1) : 0;
+    this.digits = Math.max(1, Math.ceil(-Math.log10(this.interval || 1) - 1e-6)); // of times
     this.nudge = Math.max(this.interval, roundStep(this.duration / 600));
     this.state = { time: this.times[0], playing: false, speed: 1, quantity: this.meta.quantities[0], picked: null };
     this.spent = [];
@@ -39,6 +40,7 @@ export class App {
     const [x0, y0, x1, y1] = this.meta.region;
     const span = Math.max(x1 - x0, y1 - y0);
     const step = roundStep(span / 12);
+    this.fine = roundStep(span / 20000); // of places in words
     this.seabed = new Seabed(this.meta, this.tables.bed, step);
     this.stage = new Stage(find("scene"), this.meta, this.seabed);
     this.sea = new Sea(this.meta);
@@ -129,7 +131,7 @@ export class App {
   showTime() {
     const { time, quantity, playing } = this.state;
     if (this.meta.moving) {
-      find("now").textContent = time.toFixed(this.interval < 0.095 ? 2 : 1);
+      find("now").textContent = time.toFixed(this.digits);
       if (document.activeElement !== find("slider") || playing) find("slider").value = time;
     }
     if (!this.panel.open) return;

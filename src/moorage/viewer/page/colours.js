@@ -18,7 +18,7 @@ export const STATES = ["#f6f7f8", "#e69f00", "#7a2e00"]; // clear of the seabed,
 export const ENDS = ["#D55E00", "#0072B2"]; // Okabe and Ito's
 export const INK = "#1d2733";
 
-export function rgb(hex) {
+function rgb(hex) {
   return [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16));
 }
 

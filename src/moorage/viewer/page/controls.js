@@ -49,14 +49,25 @@ export function connect(app) {
 function hover(app, x, y) {
   const found = pick(app.stage, x, y, app.markers.data, app.meta.lines, app.lines.data);
   const tip = find("tip");
-  tip.hidden = !found;
+  const other = found ? null : otherName(app, x, y);
+  tip.hidden = !found && !other;
   app.stage.canvas.style.cursor = found?.line !== undefined ? "pointer" : "";
-  if (!found) return found;
-  tip.innerHTML = found.marker !== undefined ? markerWords(app, found.marker) : lineWords(app, found);
+  if (tip.hidden) return null;
+  if (other) tip.textContent = other;
+  else tip.innerHTML = found.marker !== undefined ? markerWords(app, found.marker) : lineWords(app, found);
   const left = x + 16 + tip.offsetWidth > app.stage.size.width ? x - 16 - tip.offsetWidth : x + 16;
   const top = Math.min(y + 12, app.stage.size.height - tip.offsetHeight - 8);
   tip.style.transform = `translate(${left}px, ${top}px)`;
   return found;
+}
+
+/** The name of the rod or body under a pixel. */
+function otherName(app, x, y) {
+  const rods = app.meta.rods.map((_, k) => ({ first: 2 * k, last: 2 * k + 1 }));
+  const places = app.meta.bodies.flatMap((_, k) => Array.from(app.bodies.data.subarray(6 * k, 6 * k + 3)));
+  const found = pick(app.stage, x, y, places, rods, app.rods.data);
+  if (!found) return null;
+  return (found.marker !== undefined ? app.meta.bodies[found.marker] : app.meta.rods[found.line]).name;
 }
 
 function pointer(app) {

@@ -6,17 +6,13 @@ import { roundStep, short, ticks, words } from "./numbers.js";
 
 const SIGNS = ["fixed point", "moved point", "free point"];
 
-export function paletteOf(quantity) {
-  return quantity.states.length ? STATES : VIRIDIS;
-}
-
 /** The values of a scale that get a label, and their step. */
 export function scaleTicks(low, high, count = 4) {
   const values = ticks(low, high, count);
   return { values, step: values.length > 1 ? values[1] - values[0] : roundStep((high - low) / count) };
 }
 
-export function gradient(palette) {
+function gradient(palette) {
   const stops = Array.from({ length: 17 }, (_, i) => `rgb(${colourAt(palette, i / 16).join()})`);
   return `linear-gradient(to right, ${stops.join()})`;
 }

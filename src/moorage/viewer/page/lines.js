@@ -93,7 +93,7 @@ export class FatLines {
 
   /**
    * Add a drawing of these lines to a group: its width and rim in pixels, a colour [r, g, b, a] or a strip of colours,
-   * how far it is lifted towards the eye, whether its segments have round ends, and whether a colour hides what is behind.
+   * how far it is lifted towards the eye, whether its segments have round ends, whether a colour hides what is behind.
    */
   draw(group, options, order = 0) {
     const mesh = new THREE.Mesh(this.geometry, material(options));

@@ -2,7 +2,7 @@
 
 export const KINDS = ["fixed", "coupled", "free"];
 const [SMALLEST, LARGEST] = [7, 12]; // pixels
-export const SIGN_COLOURS = ["#1d2733", "#ffffff", "#cc79a7"];
+const SIGN_COLOURS = ["#1d2733", "#ffffff", "#cc79a7"];
 
 const VERTEX = `
   attribute float kind;
@@ -28,7 +28,7 @@ const FRAGMENT = `
     gl_FragColor = vec4(r > 0.72 ? rim : own, 1.0);
   }`;
 
-export function kindOf(label) {
+function kindOf(label) {
   return Math.max(
     0,
     KINDS.findIndex((kind) => label.kind.startsWith(kind)),

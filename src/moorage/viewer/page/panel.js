@@ -34,7 +34,8 @@ export class Panel {
         const range = [values.reduce((a, b) => Math.min(a, b)), values.reduce((a, b) => Math.max(a, b))];
         const cells = this.meta.moving ? range.map((v) => `<td>${words(v)}</td>`).join("") : "";
         const sign = `<i style="background:${ENDS[end]}"></i>`;
-        return `<tr><th>${sign}end ${"AB"[end]} <small>${ends[end]}</small></th><td data-end="${end}"></td>${cells}</tr>`;
+        const what = `${sign}end ${"AB"[end]} <small>${ends[end]}</small>`;
+        return `<tr><th>${what}</th><td data-end="${end}"></td>${cells}</tr>`;
       })
       .join("");
     this.root.querySelectorAll("[data-moving]").forEach((cell) => (cell.hidden = !this.meta.moving));

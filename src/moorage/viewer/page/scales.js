@@ -13,29 +13,27 @@ export class Scales {
     this.seabed = seabed;
     this.step = step;
     this.labels = [];
-    this.shown = true;
   }
 
   /** Put the labels where the camera has them. */
   place(stage) {
     this.used = 0;
-    if (this.shown) {
-      const m = stage.matrix();
-      const [x0, y0, x1, y1] = this.meta.region;
-      const away = stage.camera.position.clone().sub(stage.controls.target);
-      const [farX, farY] = [away.x > 1e-6 * away.length() ? x0 : x1, away.y > 0 ? y0 : y1];
-      const [nearX, nearY] = [x0 + x1 - farX, y0 + y1 - farY];
-      const floor = (x, y) => [x, y, this.seabed.floor];
-      const centre = floor((x0 + x1) / 2, (y0 + y1) / 2);
-      const middle = stage.pixel(...centre, m);
-      this.perMetre = stage.perMetre(...centre);
-      this.edge(stage, m, ticks(x0, x1, (x1 - x0) / this.step), (v) => floor(v, nearY), "x", middle);
-      this.edge(stage, m, ticks(y0, y1, (y1 - y0) / this.step), (v) => floor(nearX, v), "y", middle);
-      this.upright(stage, m, [
-        [farX, nearY],
-        [nearX, farY],
-      ]);
-    }
+    const m = stage.matrix();
+    const [x0, y0, x1, y1] = this.meta.region;
+    const away = stage.camera.position.clone().sub(stage.controls.target);
+    const [farX, farY] = [away.x > 1e-6 * away.length() ? x0 : x1, away.y > 0 ? y0 : y1];
+    const [nearX, nearY] = [x0 + x1 - farX, y0 + y1 - farY];
+    const floor = (x, y) => [x, y, this.seabed.floor];
+    const centre = floor((x0 + x1) / 2, (y0 + y1) / 2);
+    const middle = stage.pixel(...centre, m);
+    this.perMetre = stage.perMetre(...centre);
+    this.edge(stage, m, ticks(x0, x1, (x1 - x0) / this.step), (v) => floor(v, nearY), "x", middle);
+    this.edge(stage, m, ticks(y0, y1, (y1 - y0) / this.step), (v) => floor(nearX, v), "y", middle);
+    const corners = [
+      { x: farX, y: nearY },
+      { x: nearX, y: farY },
+    ]; // beside what is seen
+    this.upright(stage, m, corners);
     this.labels.slice(this.used).forEach((label) => (label.style.display = "none"));
     this.turnAxes(stage);
   }
@@ -57,21 +55,21 @@ export class Scales {
   }
 
   upright(stage, m, corners) {
-    const low = Math.min(...corners.map(([x, y]) => this.seabed.levelAt(x, y)));
-    const step = this.zStep(low);
-    const best = corners
-      .map(([x, y]) => [[x, y], stage.pixel(x, y, 0, m), stage.pixel(x, y, this.seabed.levelAt(x, y), m)])
-      .filter(([, a, b]) => a && b)
-      .sort((p, q) => p[1][0] - q[1][0])[0];
-    if (!best) return;
-    const seen = Math.hypot(best[1][0] - best[2][0], best[1][1] - best[2][1]);
+    const ends = corners.map(({ x, y }) => {
+      const low = this.seabed.levelAt(x, y);
+      return { x, y, low, top: stage.pixel(x, y, 0, m), foot: stage.pixel(x, y, low, m) };
+    });
+    const [left] = ends.filter(({ top, foot }) => top && foot).sort((a, b) => a.top[0] - b.top[0]);
+    if (!left) return;
+    const { x, y, low, top, foot } = left;
+    const seen = Math.hypot(top[0] - foot[0], top[1] - foot[1]);
     if (seen < Math.max(40, ALONG * this.perMetre * stage.stretch * Math.abs(low))) return;
-    const [[x, y], top, foot] = best;
-    const every = Math.max(1, Math.ceil(22 / ((Math.abs(top[1] - foot[1]) * step) / Math.abs(low))));
-    ticks(low, 0, Math.abs(low) / step).forEach((z) => {
+    const step = this.zStep(low);
+    const every = Math.max(1, Math.ceil((22 * Math.abs(low)) / (Math.abs(top[1] - foot[1]) * step)));
+    for (const z of ticks(low, 0, Math.abs(low) / step)) {
       const p = stage.pixel(x, y, z, m);
       if (p && Math.round(z / step) % every === 0) this.label(words(z, step), p[0] - 20, p[1]);
-    });
+    }
     this.label("z (m)", top[0] - 16, top[1] - 18, "name");
   }
 

@@ -3,6 +3,7 @@
 import { screen } from "./lines.js";
 
 const ANGLE = 13; // of view, degrees
+const BESIDE = 84; // pixels on both sides of what a preset shows
 const SWIFT = 350; // ms of a move from one preset to another
 export const VIEWS = ["overview", "side", "top", "close"];
 
@@ -11,9 +12,8 @@ export class Stage {
     this.canvas = canvas;
     this.meta = meta;
     this.seabed = seabed;
-    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true, preserveDrawingBuffer: false });
+    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true });
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
-    this.renderer.info.autoReset = true;
     this.scene = new THREE.Scene();
     this.world = new THREE.Group(); // what the vertical scale stretches
     this.scene.add(this.world);
@@ -81,30 +81,23 @@ export class Stage {
     const right = new THREE.Vector3().crossVectors(this.camera.up, away).normalize();
     const top = new THREE.Vector3().crossVectors(away, right);
     const { width, height } = this.size;
-    const free = { left: 84, right: 84, top: view === "overview" ? 70 : 176, bottom: view === "top" ? 132 : 148 }; // pixels
-    const span = [0, 0].map((_, k) => (k ? height - free.top - free.bottom : width - free.left - free.right));
+    const above = view === "overview" ? 70 : 176; // pixels that panels and labels take
+    const below = view === "top" ? 132 : 148;
+    const span = [width - 2 * BESIDE, height - above - below];
     const perPixel = (2 * Math.tan((ANGLE * Math.PI) / 360)) / height; // at distance 1
     const middle = places.reduce((sum, p) => sum.add(p), new THREE.Vector3()).divideScalar(places.length);
     const target = middle.clone();
-    let distance = 1;
+    let distance = 0;
     for (let pass = 0; pass < 4; pass++) {
       const seen = places.map((p) => p.clone().sub(target)).map((d) => [d.dot(right), d.dot(top), d.dot(away)]);
-      distance = Math.max(
-        ...seen.map(([u, v, w]) => w + (2 * Math.max(Math.abs(u) / span[0], Math.abs(v) / span[1])) / perPixel),
-        1,
-      );
-      for (const [k, direction] of [
-        [0, right],
-        [1, top],
-      ]) {
+      const needed = ([u, v, w]) => w + (2 * Math.max(Math.abs(u) / span[0], Math.abs(v) / span[1])) / perPixel;
+      distance = Math.max(...seen.map(needed), 1e-3);
+      [right, top].forEach((direction, k) => {
         const shown = seen.map((s) => s[k] / (distance - s[2]));
         target.addScaledVector(direction, 0.5 * (Math.max(...shown) + Math.min(...shown)) * distance);
-      }
+      });
     }
-    const shift = perPixel * distance * 0.5; // the middle of the free part is not that of the screen
-    target
-      .addScaledVector(right, (free.right - free.left) * shift)
-      .addScaledVector(top, (free.top - free.bottom) * shift);
+    target.addScaledVector(top, 0.5 * perPixel * distance * (above - below)); // to the middle of what is free
     return { target, position: target.clone().addScaledVector(away, distance) };
   }
 
@@ -130,7 +123,7 @@ export class Stage {
     const far = this.camera.position.distanceTo(this.controls.target);
     const [x0, y0, x1, y1] = this.meta.region;
     const size = Math.hypot(x1 - x0, y1 - y0, this.stretch * (this.seabed.high - this.seabed.low + this.meta.depth));
-    this.camera.near = Math.max((far - size) * 0.5, far * 0.005, 0.01);
+    this.camera.near = Math.max((far - size) * 0.5, far * 0.005);
     this.camera.far = far + 4 * size;
     this.camera.updateProjectionMatrix();
     this.renderer.render(this.scene, this.camera);

@@ -4,10 +4,11 @@ import { short, withUnit, words } from "./numbers.js";
 
 export function markerWords(app, k) {
   const { name, kind } = app.meta.markers[k];
-  const [x, y, z] = Array.from(app.markers.data.subarray(3 * k, 3 * k + 3)).map((v) => words(v, 0.1));
+  const [x, y, z] = Array.from(app.markers.data.subarray(3 * k, 3 * k + 3)).map((v) => words(v, app.fine));
   const title = document.createElement("b");
   title.textContent = name;
-  return `${title.outerHTML} <span>${kind.startsWith("coupled") ? "moved" : kind}</span><br>x ${x} &nbsp; y ${y} &nbsp; z ${z} m`;
+  const how = kind.startsWith("coupled") ? "moved" : kind;
+  return `${title.outerHTML} <span>${how}</span><br>x ${x} &nbsp; y ${y} &nbsp; z ${z} m`;
 }
 
 export function lineWords(app, { line, node, share }) {
@@ -23,8 +24,8 @@ export function lineWords(app, { line, node, share }) {
       : withUnit(v[node] + share * (v[node + 1] - v[node]), q.unit);
     return `<tr><td>${q.label}</td><td>${text}</td></tr>`;
   });
-  const place = `<tr><td>Arc length from end A</td><td>${words(s, 0.1)} m</td></tr><tr><td>z</td><td>${words(z, 0.1)} m</td></tr>`;
-  return `${title.outerHTML}<table>${place}${rows.join("")}</table>`;
+  const row = (name, value) => `<tr><td>${name}</td><td>${words(value, app.fine)} m</td></tr>`;
+  return `${title.outerHTML}<table>${row("Arc length from end A", s)}${row("z", z)}${rows.join("")}</table>`;
 }
 
 export function facts(app) {
