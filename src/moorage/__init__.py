@@ -36,6 +36,7 @@ if TYPE_CHECKING:
     from moorage.model.unbuilt import unbuilt
     from moorage.results import envelope, line, open_result
     from moorage.run import simulate, solve_statics, warmup
+    from moorage.show import view
     from moorage.simulation import Simulation
 
     __version__: str
@@ -70,6 +71,7 @@ _HOMES = {
     "solve_statics": "run",
     "suspicious": "model.checks",
     "unbuilt": "model.unbuilt",
+    "view": "show",
     "warmup": "run",
 }
 
@@ -102,6 +104,7 @@ __all__ = [
     "solve_statics",
     "suspicious",
     "unbuilt",
+    "view",
     "warmup",
 ]
 

@@ -224,6 +224,41 @@ def plot(
 
 
 @app.command()
+def view(
+    file: Annotated[
+        Path, typer.Argument(metavar="FILE|RESULT.nc", help="What a run wrote, or a model: its static shape.")
+    ],
+    output: Annotated[Path | None, typer.Option("-o", metavar="PAGE.html", help="Page (default: FILE.html).")] = None,
+    no_open: Annotated[bool, typer.Option("--no-open", help="Write the page, and do not open it.")] = False,
+    raise_to_seabed: Raise = False,
+) -> None:
+    """Show a mooring in three dimensions: write one HTML page that needs nothing else, and open it in the browser."""
+    target = Path(f"{file.stem}.html") if output is None else output
+    if file.suffix == ".nc":
+        page = moorage.view(moorage.open_result(file))
+    else:
+        model = moorage.read(file, raise_to_seabed)
+        announce_compiling()
+        page = moorage.view(model)
+    page.save(target)
+    opened = not no_open and console.open_page(target)
+    console.out.print(f"page {target}{' (opened in the browser)' if opened else ''}", markup=False, soft_wrap=True)
+
+
+@app.command()
+def animate(
+    result: ResultFile,
+    output: Annotated[Path | None, typer.Option("-o", metavar="MP4|GIF", help="Film (default: RESULT.mp4.)")] = None,
+    speed: Annotated[float, typer.Option(help="Seconds of the run in one second of the film.")] = 5.0,
+    fps: Annotated[int, typer.Option(help="Pictures a second.")] = 15,
+) -> None:
+    """Draw a run as a film: the mooring from the side and its tensions over time."""
+    with console.work_bar("frames") as progress:
+        made = moorage.plot.animate(moorage.open_result(result), output, speed=speed, fps=fps, progress=progress)
+    console.out.print(f"film {made}", markup=False, soft_wrap=True)
+
+
+@app.command()
 def convert(
     file: ModelFile,
     out: Annotated[Path, typer.Argument(metavar="OUT", help="Native when it ends in .yaml or .yml, else MoorDyn v2.")],

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import os
+import sys
 import warnings
+import webbrowser
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from math import degrees, isfinite
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from rich.console import Console
@@ -55,6 +59,21 @@ def progress_bar() -> Iterator:
             bar.update(task, completed=time, total=duration, speed=speed, visible=True)
 
         yield move
+
+
+@contextmanager
+def work_bar(what: str) -> Iterator:
+    """Give a function (done, all) that moves a bar."""
+    with Progress(TextColumn("{task.completed} of {task.total} " + what), BarColumn(), console=err) as bar:
+        task = bar.add_task(what, total=None, visible=False)
+        yield lambda done, total: bar.update(task, completed=done, total=total, visible=True)
+
+
+def open_page(path: Path) -> bool:
+    """Open a page in the browser of a desktop; return whether there is one."""
+    if sys.platform.startswith("linux") and not {"DISPLAY", "WAYLAND_DISPLAY"} & {*os.environ}:
+        return False
+    return webbrowser.open(path.resolve().as_uri())
 
 
 def run_summary(attrs: Mapping[str, Any]) -> None:

@@ -10,8 +10,8 @@ from test_plot import assert_tidy
 import moorage
 from moorage.model import Bathymetry
 from moorage.plot import plot_profile, result_figure, seabed_map
-from moorage.plot.seabed import bed_level
 from moorage.plot.style import new_figure
+from moorage.results.bed_level import bed_level
 
 
 def valley(smooth=False):

@@ -40,9 +40,22 @@ def test_elevation_and_attributes(result):
         "wave_components": 30,
         "wave_seed": 5,
         "wave_stretching": "wheeler",
+        "wave_ramp": 2.0,
         "wave_significant_height": SEA.significant_height,
         "wave_peak_period": SEA.peak_period,
     }
+
+
+def test_the_sea_can_be_made_again_from_its_components(deck, tmp_path):
+    """On disk as in memory: eta of the components at another place is that of the model's sea."""
+    ds = moorage.simulate(in_sea(deck(), SEA), duration=1.0, output=tmp_path / "sea.nc")
+    assert {"wave_frequency", "wave_number", "wave_direction"} <= set(ds.coords)
+    t, x, y = 7.0, 30.0, -20.0
+    a, w, k, b, phase = (
+        ds[f"wave_{name}"].values for name in ("amplitude", "frequency", "number", "direction", "phase")
+    )
+    eta = (a * np.cos(w * t + phase - k * (x * np.cos(b) + y * np.sin(b)))).sum()
+    assert eta == pytest.approx(float(SEA.elevation(t, x, y)), abs=1e-12)
 
 
 def test_the_figure_starts_with_the_waves(result):

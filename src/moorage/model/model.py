@@ -18,6 +18,7 @@ from moorage.model.components import (
     RodType,
 )
 from moorage.model.environment import Environment
+from moorage.model.notebook import model_html
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -96,3 +97,6 @@ class Model:
     def coupled_points(self) -> tuple[Point, ...]:
         """Points that prescribed motion moves, in the order of the file."""
         return tuple(p for p in self.points if p.kind == "coupled" and p.body is None)
+
+    def _repr_html_(self) -> str:
+        return model_html(self)

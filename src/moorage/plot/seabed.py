@@ -12,23 +12,14 @@ from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.patheffects import withStroke
 
 from moorage.model import Attachment, Model
-from moorage.physics.bathymetry import bed_at, grid_bed
 from moorage.plot.style import COLOURS, QUIET, SEABED, new_figure, plain
+from moorage.results.bed_level import bed_level
 
 SAMPLES = 400  # places of a section
 MARGIN = 0.25  # of a map around the mooring, as a part of its size
 LEVELS = 12  # colours of a map
 
 Plane = tuple[np.ndarray, np.ndarray]  # a horizontal origin and unit vector
-
-
-def bed_level(ds: xr.Dataset, x: np.ndarray, y: np.ndarray) -> np.ndarray:
-    """Return z of the seabed (m) of a result at places x and y (n,)."""
-    if "bed_level" not in ds.coords:
-        return np.full(np.shape(x), -float(ds.attrs["water_depth"]))
-    smooth = ds.attrs["bathymetry_interpolation"] == "bicubic"
-    bed = grid_bed(ds["bed_x"].values, ds["bed_y"].values, -ds["bed_level"].values, smooth)
-    return np.array([bed_at(bed, float(a), float(b))[0] for a, b in zip(x, y, strict=True)])
 
 
 def draw_sections(ds: xr.Dataset, planes: Iterable[Plane], ax: Axes) -> float:

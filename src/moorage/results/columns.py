@@ -12,7 +12,7 @@ from moorage.results.bending import COORDINATES, MOMENTS, Bending
 from moorage.results.carried import Carried
 from moorage.results.channels import Output
 from moorage.results.index import Index
-from moorage.results.sea import ELEVATION, sea_columns
+from moorage.results.sea import COMPONENT, ELEVATION, sea_columns, sea_coordinates
 from moorage.results.seabed import UPLIFT, Seabed
 from moorage.solve.march import Block
 from moorage.variables import VARIABLES, attributes
@@ -104,8 +104,9 @@ class Layout:
     @property
     def sizes(self) -> dict[str, int]:
         """Length of every dimension but time."""
+        sea = {COMPONENT: len(self.waves.frequency)} if self.waves else {}
         carried = self.carried.sizes if self.carried else {}
-        return self.index.sizes | carried | (self.seabed.sizes if self.seabed else {})
+        return self.index.sizes | carried | (self.seabed.sizes if self.seabed else {}) | sea
 
     def coordinates(self) -> dict[str, np.ndarray]:
         """Return the coordinates of the rows; those of nodes and segments only where there are histories of them."""
@@ -113,8 +114,9 @@ class Layout:
         unused = set(COORDINATES) - set(self.bending.coordinates if self.bending else ())
         known = self.index.coordinates().items()
         rows = {n: values for n, values in known if VARIABLES[n].dims not in left_out and n not in unused}
+        sea = sea_coordinates(self.waves) if self.waves else {}
         carried = self.carried.coordinates if self.carried else {}
-        return rows | carried | (self.seabed.coordinates if self.seabed else {}) | dict(self.static)
+        return rows | carried | (self.seabed.coordinates if self.seabed else {}) | sea | dict(self.static)
 
     def dims(self, name: str) -> tuple[str, ...]:
         """Return the dimensions of a variable over time."""

@@ -22,6 +22,8 @@ class Index:
     ----------
     line, point : (lines,), (points,) int
         Ids.
+    line_name, point_name : (lines,), (points,) str
+        Names, empty where there are none.
     end_a, end_b : (lines,) int
         Id of the point or rod at each end of a line.
     end_a_kind, end_b_kind : (lines,) str
@@ -38,6 +40,8 @@ class Index:
 
     line: np.ndarray
     point: np.ndarray
+    line_name: np.ndarray
+    point_name: np.ndarray
     end_a: np.ndarray
     end_b: np.ndarray
     end_a_kind: np.ndarray
@@ -77,6 +81,8 @@ def make_index(model: Model, names: Names) -> Index:
     return Index(
         line=names.lines,
         point=names.points,
+        line_name=np.array([line.name for line in model.lines], dtype=object),
+        point_name=np.array([point.name for point in model.points], dtype=object),
         end_a=np.array([line.end_a.id for line in model.lines], dtype=np.int64),
         end_b=np.array([line.end_b.id for line in model.lines], dtype=np.int64),
         end_a_kind=np.array([_holder(line.end_a, holders) for line in model.lines], dtype=object),

@@ -1,15 +1,18 @@
-"""The sea in a result: its elevation over time, what it was made from, and what came out."""
+"""The sea in a result: its elevation over time, its components, what it was made from, and what came out."""
 
 from __future__ import annotations
 
 import warnings
 
 import numpy as np
+import xarray as xr
 
 from moorage.errors import ModelWarning
 from moorage.model import Waves
 
 ELEVATION = ("wave_elevation",)
+COMPONENT = "wave_component"
+WORDS = ("amplitude", "frequency", "phase", "direction", "number")  # of the components, wave_...
 
 
 def sea_attributes(waves: Waves | None) -> dict[str, object]:
@@ -21,14 +24,37 @@ def sea_attributes(waves: Waves | None) -> dict[str, object]:
         "wave_components": len(waves.frequency),
         "wave_seed": "none" if waves.seed is None else waves.seed,
         "wave_stretching": waves.stretching,
+        "wave_ramp": float(waves.ramp),
         "wave_significant_height": waves.significant_height,
         "wave_peak_period": waves.peak_period,
+    }
+
+
+def sea_coordinates(waves: Waves) -> dict[str, np.ndarray]:
+    """Return the components of a sea, each (n,), so that a result can give the water anywhere again."""
+    return {
+        "wave_frequency": np.array(waves.frequency),
+        "wave_amplitude": np.array(waves.amplitude),
+        "wave_phase": np.array(waves.phase),
+        "wave_direction": np.array(waves.direction),
+        "wave_number": waves.wavenumber,
     }
 
 
 def sea_columns(waves: Waves, time: np.ndarray) -> dict[str, np.ndarray]:
     """Return the columns of a sea at times (n,) s."""
     return {"wave_elevation": waves.elevation(time)}
+
+
+def surface_elevation(ds: xr.Dataset, t: float, x: np.ndarray, y: np.ndarray) -> np.ndarray:
+    """Return the elevation (m) of the sea of a result at a time (s) and places (n,); 0 of still water."""
+    if "wave_frequency" not in ds.coords or "wave_elevation" not in ds:
+        return np.zeros(np.shape(x))
+    a, w, phase, b, k = (ds[f"wave_{name}"].values for name in WORDS)
+    ramp = float(ds.attrs.get("wave_ramp", 0.0))
+    grown = 0.5 * (1.0 - np.cos(np.pi * min(max(t / ramp, 0.0), 1.0))) if ramp > 0.0 else 1.0
+    way = np.multiply.outer(x, k * np.cos(b)) + np.multiply.outer(y, k * np.sin(b))
+    return grown * (a * np.cos(w * t + phase - way)).sum(axis=-1)
 
 
 def warn_of_repetition(waves: Waves | None, duration: float) -> None:

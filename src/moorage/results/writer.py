@@ -108,9 +108,12 @@ class StreamWriter:
 
     def _create(self, attrs: Mapping[str, object]) -> None:
         self._file.set_fill_off()  # storage is not filled when it is laid out: it may be gigabytes
-        alone = [
-            name for name in self.layout.coordinates() if len(VARIABLES[name].dims) > 1
-        ]  # no variable has their dims
+        used = {frozenset(self.layout.dims(name)) for name in self.layout.names}
+        alone = [  # those of which no variable has the dimensions, and which are none themselves
+            name
+            for name in self.layout.coordinates()
+            if (name,) != VARIABLES[name].dims and not any(dims.issuperset(VARIABLES[name].dims) for dims in used)
+        ]
         self._file.setncatts(dict(attrs) | ({"coordinates": " ".join(alone)} if alone else {}))
         for name, size in self.layout.sizes.items():
             self._file.createDimension(name, size)
