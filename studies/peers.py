@@ -26,7 +26,9 @@ def has_moordyn() -> bool:
     return is_installed(PROGRAM)
 
 
-def moordyn_c(model: Model, time: ArrayLike, position: ArrayLike, every: int, **options: float) -> Arrays:
+def moordyn_c(
+    model: Model, time: ArrayLike, position: ArrayLike, every: int, break_at: float = np.inf, **options: float
+) -> Arrays:
     """Run MoorDyn-C on a model written for it; see `benchmarks.programs.moordyn_c_along`.
 
     Parameters
@@ -35,12 +37,15 @@ def moordyn_c(model: Model, time: ArrayLike, position: ArrayLike, every: int, **
         Ends of the coupling steps, s, and the coordinates of the coupled objects there, m and rad.
     every : int
         A row is kept each so many coupling steps.
+    break_at : float
+        When line 1 comes off point 1, s.
     options
         MoorDyn's options by name.
     """
     with tempfile.TemporaryDirectory() as folder:
         path = write_deck(Path(folder) / "model.dat", model, *(f"{v} {k}" for k, v in (QUIET | options).items()))
-        return call(PROGRAM, model=str(path), time=np.asarray(time), position=np.asarray(position), every=every)
+        job = {"time": np.asarray(time), "position": np.asarray(position), "every": every, "break_at": break_at}
+        return call(PROGRAM, model=str(path), **job)
 
 
 def timed(model: Model, **settings) -> tuple[xr.Dataset, float]:

@@ -16,7 +16,7 @@ def run(job):
     ----------
     job : dict
         `model`: path. `time` (n,): ends of coupling steps, s. `position` (n, k): coordinates of the coupled objects, m
-        and rad. `every`: keep a row each so many steps.
+        and rad. `every`: keep a row each so many steps. `break_at`, optional: when line 1 comes off point 1, s.
 
     Returns
     -------
@@ -33,8 +33,12 @@ def run(job):
     lines = [moordyn.GetLine(system, k + 1) for k in range(moordyn.GetNumberLines(system))]
     nodes = [(line, i) for line in lines for i in range(moordyn.GetLineNumberNodes(line))]
     velocity = np.diff(position, axis=0) / np.diff(at)[:, None]  # held over a coupling step, so the chord's
+    break_at = float(job.get("break_at", np.inf))
     rows, cpu = [_row(nodes, lines)], 0.0
     for k, step in enumerate(np.diff(at)):
+        if at[k] >= break_at:
+            moordyn.BreakLine(system, moordyn.GetPoint(system, 1), lines[0])
+            break_at = np.inf
         begin = time.process_time()
         moordyn.Step(system, position[k].tolist(), velocity[k].tolist(), float(at[k]), float(step))
         cpu += time.process_time() - begin
