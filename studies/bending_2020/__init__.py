@@ -1,0 +1,1 @@
+"""Hall, Sirnivas & Yu 2020, "Implementation and Verification of Cable Bending Stiffness in MoorDyn"."""
