@@ -256,7 +256,7 @@ class March:
                 until, stop, built.island_of_line, record,
             )  # fmt: skip
 
-        workers = min(PROCESSORS, islands, int(built.names.node_ptr[-1]) // THREAD_NODES + 1)
+        workers = min(PROCESSORS, max(islands, 1), int(built.names.node_ptr[-1]) // THREAD_NODES + 1)
         if workers == 1:
             part((0, islands))
         else:
