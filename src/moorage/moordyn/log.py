@@ -14,14 +14,14 @@ class Log:
     """Levels of the screen (standard error) and of a file."""
 
     def __init__(self) -> None:
-        self.screen = LEVEL_ERR
+        self.screen = LEVEL_WRN
         self.level = LEVEL_NONE
         self.file: Path | None = None
 
     def open(self, path: str) -> None:
         """Begin a log file."""
+        Path(path).write_text("")
         self.file = Path(path)
-        self.file.write_text("")
 
     def write(self, level: int, message: str) -> None:
         """Write a message where its level is asked for."""

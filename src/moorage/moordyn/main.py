@@ -92,6 +92,7 @@ def _init(instance: System, x, v, static: bool) -> int:
         return codes.ERRCODE_UNHANDLED_ERROR
     except (MoorageError, OSError) as error:
         instance.say_error(error)
+        instance.stop()
         return codes.ERRCODE_INVALID_INPUT
     return codes.ERRCODE_SUCCESS
 
@@ -105,7 +106,7 @@ def Step(instance: System, x, v, t: float, dt: float) -> tuple[float, ...]:
     x, v : sequence of float
         Positions (m, rad) at the *start* of the step and velocities, which hold throughout it.
     t : float
-        Time of the start, s. The clock is the mooring's own; a time before it is an error.
+        Time of the start, s. The clock is the mooring's own; a time more than a step before it is an error.
     dt : float
         s; with 0 only the forces are returned.
 
@@ -126,8 +127,11 @@ def Step(instance: System, x, v, t: float, dt: float) -> tuple[float, ...]:
         raise RuntimeError(f"Step: from {t} s by {dt} s: time must go on")
     if dt == 0.0:
         return to_tuple(instance.coupled_forces())
-    if t + 0.5 * dt < instance.time:
-        raise RuntimeError(f"Step: from {t:g} s, but the run is at {instance.time:g} s: restore a saved state first")
+    late = f"Step: from {t:g} s, but the run is at {instance.time:g} s"
+    if t + 1.5 * dt < instance.time:
+        raise RuntimeError(f"{late}: restore a saved state first")
+    if t + 0.5 * dt < instance.time:  # one of MoorDyn's own tests does not count its last step
+        instance.log.say(codes.LEVEL_WRN, f"{late}; its own clock counts")
     return to_tuple(instance.step(pose, rate, float(dt)))
 
 

@@ -133,6 +133,11 @@ class System:
         self._forget()
         self.log.say(LEVEL_MSG, f"{self.path}: initialized")
 
+    def stop(self) -> None:
+        """Go back to before `initialize`."""
+        self.host._march = None
+        self._forget()
+
     def step(self, pose: np.ndarray, rate: np.ndarray, dt: float) -> np.ndarray:
         """Go on by dt (s); the coupled objects go in straight lines (and angles) from where they are to pose + dt rate.
 
@@ -141,18 +146,26 @@ class System:
         (dof,) array
             Forces and moments of the mooring on them, N and N m.
         """
-        for line, speed in self.pay_out.items():
-            self.change_line(line, length=self.model.lines[line].length + speed * dt)
         target = pose + dt * rate
         mean = (target - self.pose) / dt
-        host = self.host
+        host, before = self.host, (self.host.velocity, [line.length for line in self.model.lines])
+        self._pay_out({line: speed * dt for line, speed in self.pay_out.items()})
         host.velocity = self.coupling.at(self.pose, mean)[1]  # MoorDyn's velocity jumps from step to step
         self._set_water()
-        force = host.step(host.time + dt, *self.coupling.at(target, mean))
+        try:
+            force = host.step(host.time + dt, *self.coupling.at(target, mean))
+        except SimulationError:
+            host.velocity = before[0]
+            self._pay_out({line: before[1][line] - self.model.lines[line].length for line in self.pay_out})
+            raise
         self.pose, self.rate = target, mean
         self._forget()
-        self._break_lines()
-        return self._on_coupled(force)
+        return self.coupled_forces() if self._break_lines() else self._on_coupled(force)
+
+    def _pay_out(self, lengths: dict[int, float]) -> None:
+        """Make lines longer, m."""
+        for line, length in lengths.items():
+            self.change_line(line, length=self.model.lines[line].length + length)
 
     def coupled_forces(self) -> np.ndarray:
         """Return the forces on the coupled degrees of freedom now, (dof,), N and N m."""
@@ -221,13 +234,15 @@ class System:
         self.host.march.control = self.host.march.control._replace(step_max=march.control.step_max)
         self.log.say(LEVEL_MSG, f"{', '.join(f'line {old.lines[k].id}' for k in lines)} came off {attachment}")
 
-    def _break_lines(self) -> None:
+    def _break_lines(self) -> bool:
         """Let lines come off whose failure has come: at a time, or at a tension of the line at that end."""
+        before = len(self.failures)
         for failure in list(self.failures):
             places = tuple(k for k, line in enumerate(self.model.lines) if line.id in failure.lines)
             if self._fails(failure, places):
                 self.failures.remove(failure)
                 self.break_off(failure.attachment, places)
+        return len(self.failures) < before
 
     def _fails(self, failure: Failure, places: tuple[int, ...]) -> bool:
         if 0.0 < failure.time <= self.time:
