@@ -99,6 +99,7 @@ from moorage.moordyn.rods import (
     GetRodType,
 )
 from moorage.moordyn.states import Deserialize, Load, LoadState, Save, SaveState, Serialize
+from moorage.moordyn.vtk import SaveBodyVTK, SaveLineVTK, SavePointVTK, SaveRodVTK, SaveVTK, UseBodyVTK
 from moorage.moordyn.water import (
     ExternalWaveKinGetCoordinates,
     ExternalWaveKinGetN,

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from moorage.accept import accept
-from moorage.errors import ModelWarning, MoorageError
+from moorage.errors import ModelWarning, MoorageError, SimulationError
 from moorage.io import read
 from moorage.layout import State, copy_of
 from moorage.model import Attachment, Failure, Model
