@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from moorage.model import Model
     from moorage.model.checks import suspicious
     from moorage.model.unbuilt import unbuilt
-    from moorage.results import envelope, line, open_result
+    from moorage.results import envelope, line, open_result, write_vtk
     from moorage.run import simulate, solve_statics, warmup
     from moorage.simulation import Simulation
 
@@ -71,6 +71,7 @@ _HOMES = {
     "suspicious": "model.checks",
     "unbuilt": "model.unbuilt",
     "warmup": "run",
+    "write_vtk": "results",
 }
 
 __all__ = [
@@ -103,6 +104,7 @@ __all__ = [
     "suspicious",
     "unbuilt",
     "warmup",
+    "write_vtk",
 ]
 
 

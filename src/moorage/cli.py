@@ -224,6 +224,18 @@ def plot(
 
 
 @app.command()
+def vtk(
+    result: ResultFile,
+    output: Annotated[Path | None, typer.Option("-o", metavar="FOLDER", help="Folder (default: RESULT-vtk).")] = None,
+    every: Annotated[int, typer.Option(min=1, help="Write each so many instants of the node histories.")] = 1,
+) -> None:
+    """Write a result as VTK files with a series that ParaView opens."""
+    folder = result.with_name(f"{result.stem}-vtk") if output is None else output
+    series = moorage.write_vtk(moorage.open_result(result), folder, every)
+    console.out.print(f"series {series}", markup=False, soft_wrap=True)
+
+
+@app.command()
 def convert(
     file: ModelFile,
     out: Annotated[Path, typer.Argument(metavar="OUT", help="Native when it ends in .yaml or .yml, else MoorDyn v2.")],

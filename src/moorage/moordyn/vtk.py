@@ -19,17 +19,15 @@ from moorage.results.vtk_file import multiblock, polydata
 def SaveVTK(instance: System, filename: str) -> int:
     """Write lines, points and rods: a group (.vtm) with a .vtp file of each in a folder beside it of the same name."""
     model, path = live(instance).model, Path(filename)
-    folder, files = path.with_suffix(""), {}
+    folder = path.with_suffix("")
+    files: dict[str, Path] = {}
     folder.mkdir(parents=True, exist_ok=True)
-    for name, kind, things, text in (
-        ("line", Line, model.lines, line_text),
-        ("point", Point, model.points, point_text),
-        ("rod", Rod, model.rods, rod_text),
-    ):
-        for k, thing in enumerate(things):
-            file = folder / f"{name}{thing.id}.vtp"  # type: ignore[attr-defined]
-            file.write_text(text(kind(instance, k)))  # type: ignore[operator]
-            files[f"{name} {thing.id}"] = Path(folder.name) / file.name  # type: ignore[attr-defined]
+    texts = {f"line {line.id}": line_text(Line(instance, k)) for k, line in enumerate(model.lines)}
+    texts |= {f"point {point.id}": point_text(Point(instance, k)) for k, point in enumerate(model.points)}
+    texts |= {f"rod {rod.id}": rod_text(Rod(instance, k)) for k, rod in enumerate(model.rods)}
+    for name, text in texts.items():
+        files[name] = Path(folder.name) / f"{name.replace(' ', '')}.vtp"
+        (path.parent / files[name]).write_text(text)
     path.write_text(multiblock(files))
     return codes.ERRCODE_SUCCESS
 

@@ -24,6 +24,7 @@ from moorage.results.sea import sea_attributes, warn_of_repetition
 from moorage.results.seabed import Seabed, seabed_of
 from moorage.results.seabed_report import SeabedReport, seabed_reports
 from moorage.results.statistics import LineSummary, Summary, has_static_tensions, line_summaries, static_report
+from moorage.results.vtk import write_vtk
 from moorage.results.writer import StreamWriter
 
 __all__ = [
@@ -68,4 +69,5 @@ __all__ = [
     "warn_of_repetition",
     "warn_of_tight_bends",
     "watch_list",
+    "write_vtk",
 ]

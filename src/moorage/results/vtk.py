@@ -19,8 +19,8 @@ AT_NODES = ("curvature", "bending_moment", "seabed_gap", "node_velocity")  # wit
 def write_vtk(ds: xr.Dataset, folder: str | Path, every: int = 1) -> Path:
     """Write a result as `.vtp` files with a `.pvd` series that ParaView opens; return the series.
 
-    Lines are polylines with tension (mean of the neighbour segments), arc length, velocity and, of cables, curvature and
-    bending moment; points have their force; rods are lines from end A to end B. The seabed stands once, in all instants.
+    Lines are polylines with tension (mean of the neighbour segments), arc length, velocity and, of cables, curvature
+    and bending moment; points have their force; rods are lines from end A to end B. The seabed is one file.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""VTK's XML files of polygonal data (.vtp), series of them (.pvd) and groups (.vtm): binary in base64, no library needed.
+"""VTK's XML files of polygonal data (.vtp), series of them (.pvd) and groups (.vtm), with binary values in base64.
 
 Source: VTK, "VTK XML Formats": each binary array is its size in bytes, as UInt64, and its values, both in one base64
 text.
@@ -7,6 +7,7 @@ text.
 from __future__ import annotations
 
 import base64
+import struct
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from xml.sax.saxutils import quoteattr
@@ -24,7 +25,7 @@ def data_array(name: str, values: np.ndarray, unit: str = "") -> str:
     """Return one array, (n,) or (n, components), as an XML element."""
     kind = values.dtype.newbyteorder("<")
     payload = np.ascontiguousarray(values, dtype=kind).tobytes()
-    text = base64.b64encode(np.uint64(len(payload)).newbyteorder("<").tobytes() + payload).decode()
+    text = base64.b64encode(struct.pack("<Q", len(payload)) + payload).decode()
     label = f"{name} [{unit}]" if unit and unit != "1" else name
     width = values.shape[1] if values.ndim == 2 else 1
     return (
@@ -70,7 +71,8 @@ def collection(files: Sequence[tuple[float, str, Path]]) -> str:
     """Return a series (.pvd) of (time in s, name of the part, file); parts of one time are shown together."""
     numbers = {part: k for k, part in enumerate(dict.fromkeys(part for _, part, _ in files))}
     rows = [
-        f'<DataSet timestep="{time!r}" group={quoteattr(part)} part="{numbers[part]}" file={quoteattr(file.as_posix())}/>\n'
+        f'<DataSet timestep="{time!r}" group={quoteattr(part)} part="{numbers[part]}" '
+        f"file={quoteattr(file.as_posix())}/>\n"
         for time, part, file in files
     ]
     head = HEAD.format("Collection")
