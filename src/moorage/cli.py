@@ -130,6 +130,7 @@ def run(
     dt_nodes: Annotated[float | None, typer.Option(help="Interval of node histories, s (default: --dt-out).")] = None,
     resume: Annotated[bool, typer.Option("--resume", help="Go on where an interrupted run stopped.")] = False,
     output: Annotated[Path | None, typer.Option("-o", metavar="OUT.nc", help="Result (default: FILE's name).")] = None,
+    moordyn_out: Annotated[bool, typer.Option("--moordyn-out", help="Write MoorDyn's .out files too.")] = False,
     raise_to_seabed: Raise = False,
 ) -> None:
     """Simulate a mooring in time; write a NetCDF file and a figure, and print a table."""
@@ -156,6 +157,7 @@ def run(
                 output=target,
                 resume=resume,
                 progress=progress,
+                moordyn_out=target.with_suffix("") if moordyn_out else None,
             )
     except moorage.RunInterrupted as error:
         message = f"stopped at {error.time:g} s of {case.duration:g} s; results up to there are in {target}\n"

@@ -8,6 +8,8 @@ import pytest
 
 import moorage
 import moorage.moordyn as moordyn
+from moorage.model import Current
+from moorage.model.motion import rotation_matrices
 from moorage.moordyn.coupling import Coupling, angular_velocity, described
 from moorage.solve.host import HostMarch
 from moorage.system.build import build
@@ -295,7 +297,7 @@ def test_the_host_may_give_the_water(deck):
     assert moordyn.ExternalWaveKinSet(system, [[0.0, 1.0, 0.0]] * n, [[0.0] * 3] * n, 0.0) == 0
     for _ in range(600):
         force = moordyn.Step(system, start(system), [0.0] * 3, system.time, DT)
-    current = moorage.model.Current(z=(-200.0, 0.0), velocity=((0.0, 1.0, 0.0),) * 2)
+    current = Current(z=(-200.0, 0.0), velocity=((0.0, 1.0, 0.0),) * 2)
     model = dataclasses.replace(
         system.model, environment=dataclasses.replace(system.model.environment, current=current)
     )
@@ -362,7 +364,7 @@ def test_a_coupled_body_carries_its_points(deck):
     pose, rate = moordyn.GetBodyState(body)
     np.testing.assert_allclose(pose, [0.1, 0.0, 0.2, *rates], atol=1e-12)
     np.testing.assert_allclose(rate, [0.1, 0.0, 0.2, *rates], atol=1e-9)
-    R = moorage.model.motion.rotation_matrices(rates[None])[0]
+    R = rotation_matrices(rates[None])[0]
     arm = R @ [-40.868, 0.0, -14.0]
     fairlead = moordyn.GetPoint(system, 2)
     np.testing.assert_allclose(moordyn.GetPointPos(fairlead), np.add(arm, [0.1, 0.0, 0.2]), atol=1e-9)
@@ -378,7 +380,7 @@ def test_a_coupled_body_carries_its_points(deck):
 def test_angular_velocity_is_the_rate_of_the_rotation():
     """R(t + h) R(t - h)^T = 1 + 2 h [w] + O(h^3): h = 1e-4 gives 1e-8 of it."""
     angles, rates, h = np.array([[0.3, -0.7, 1.1]]), np.array([[0.2, 0.5, -0.4]]), 1e-4
-    R0, R1 = (moorage.model.motion.rotation_matrices(angles + s * h * rates)[0] for s in (-1.0, 1.0))
+    R0, R1 = (rotation_matrices(angles + s * h * rates)[0] for s in (-1.0, 1.0))
     W = (R1 @ R0.T - R0 @ R1.T) / (4.0 * h)
     np.testing.assert_allclose(angular_velocity(angles, rates)[0], [W[2, 1], W[0, 2], W[1, 0]], atol=1e-7)
 
@@ -401,7 +403,7 @@ def test_rods_on_coupled_bodies_turn_their_clamps(deck):
     np.testing.assert_allclose(moordyn.GetRodNodePos(rod, 1), [-39.868, 0.0, -13.0], atol=1e-12)
     load = moordyn.Step(system, pose, [0.0, 0.0, 0.0, 0.0, 0.1, 0.0], 0.0, DT)
     turned = np.add(pose, [0, 0, 0, 0, 0.01, 0])
-    axis = moorage.model.motion.rotation_matrices(turned[None, 3:])[0][:, 2]
+    axis = rotation_matrices(turned[None, 3:])[0][:, 2]
     np.testing.assert_allclose(np.subtract(moordyn.GetRodNodePos(rod, 1), moordyn.GetRodNodePos(rod, 0)), np.sqrt(2.0) * axis, atol=1e-9)  # fmt: skip
     assert np.linalg.norm(load[3:]) > 100.0  # the clamp's moment
     built = build(system.model)

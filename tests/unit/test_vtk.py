@@ -12,7 +12,7 @@ from typer.testing import CliRunner
 import moorage
 import moorage.moordyn as moordyn
 from moorage.cli import app
-from moorage.model import Rod, RodType
+from moorage.model import Bathymetry, Rod, RodType
 from moorage.results.vtk_file import TYPES, polydata
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "oc4" / "oc4.dat"
@@ -81,7 +81,7 @@ def test_a_series_holds_the_result(result, tmp_path):
 
 def test_statics_and_rods_and_grids(tmp_path):
     model = moorage.read(EXAMPLE)
-    grid = moorage.model.Bathymetry(x=(-1000.0, 0.0, 1000.0), y=(-1000.0, 1000.0), depth=((200.0, 210.0),) * 3)
+    grid = Bathymetry(x=(-1000.0, 0.0, 1000.0), y=(-1000.0, 1000.0), depth=((200.0, 210.0),) * 3)
     environment = dataclasses.replace(model.environment, bathymetry=grid)
     rods = (Rod(id=7, rod_type="tube", kind="fixed", end_a=(0.0, 0.0, -10.0), end_b=(0.0, 0.0, 5.0), segments=3),)
     model = dataclasses.replace(

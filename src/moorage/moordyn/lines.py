@@ -102,7 +102,7 @@ def GetLineNodeForce(instance: Line, i: int) -> Vector:
     row, block = _row(instance, i), instance.system.block
     force = block["watch_force"][row]
     if instance.system.built.system.lines.bends[instance.place]:
-        force = force + instance.system.forces.bending[row]
+        force = force + instance.system.part("bending")[row]
     return to_tuple(force)
 
 
@@ -114,27 +114,27 @@ def GetLineNodeTen(instance: Line, i: int) -> Vector:
 
 def GetLineNodeBendStiff(instance: Line, i: int) -> Vector:
     """Return the force of bending on a node, N."""
-    return to_tuple(instance.system.forces.bending[_row(instance, i)])
+    return to_tuple(instance.system.part("bending")[_row(instance, i)])
 
 
 def GetLineNodeWeight(instance: Line, i: int) -> Vector:
     """Return weight and buoyancy of a node, N."""
-    return to_tuple(instance.system.forces.weight[_row(instance, i)])
+    return to_tuple(instance.system.part("weight")[_row(instance, i)])
 
 
 def GetLineNodeDrag(instance: Line, i: int) -> Vector:
     """Return the drag on a node, N."""
-    return to_tuple(instance.system.forces.drag[_row(instance, i)])
+    return to_tuple(instance.system.part("drag")[_row(instance, i)])
 
 
 def GetLineNodeFroudeKrilov(instance: Line, i: int) -> Vector:
     """Return the force of the water's acceleration on a node, Froude-Krylov and added mass, N."""
-    return to_tuple(instance.system.forces.swell[_row(instance, i)])
+    return to_tuple(instance.system.part("swell")[_row(instance, i)])
 
 
 def GetLineNodeSeabedForce(instance: Line, i: int) -> Vector:
     """Return contact and friction of the seabed on a node, N."""
-    return to_tuple(instance.system.forces.seabed[_row(instance, i)])
+    return to_tuple(instance.system.part("seabed")[_row(instance, i)])
 
 
 def GetLineNodeCurv(instance: Line, i: int) -> float:

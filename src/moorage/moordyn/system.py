@@ -16,12 +16,12 @@ from moorage.model import Attachment, Failure, Model
 from moorage.model.checks import check
 from moorage.moordyn.codes import LEVEL_ERR, LEVEL_MSG, LEVEL_WRN
 from moorage.moordyn.coupling import Coupling, described
-from moorage.moordyn.forces import FORCE, NodeForces, node_forces, node_masses
 from moorage.moordyn.log import Log
 from moorage.physics.point import sample_loads
 from moorage.results.channels import water_at
 from moorage.solve.host import HostMarch
 from moorage.solve.march import Block, Settings, control_of
+from moorage.solve.parts import FORCE, node_force_part, node_masses
 from moorage.solve.record import Record, new_record
 from moorage.system.build import Built, build
 
@@ -73,7 +73,7 @@ class System:
 
     def _forget(self) -> None:
         self._block: Block | None = None
-        self._forces: NodeForces | None = None
+        self._parts: dict[str, np.ndarray] = {}
         self._masses: np.ndarray | None = None
 
     @property
@@ -111,12 +111,11 @@ class System:
             self._record = new_record(self.built.system, np.zeros(1), np.zeros(1), watched)
         return {name: values[0].copy() for name, values in self.host.fill(self._record).items()}
 
-    @property
-    def forces(self) -> NodeForces:
-        """The parts of the force on each node."""
-        if self._forces is None:
-            self._forces = node_forces(self.built)
-        return self._forces
+    def part(self, name: str) -> np.ndarray:
+        """Return a part of the force on each node, see `moorage.solve.parts`, (nodes, 3), N."""
+        if name not in self._parts:
+            self._parts[name] = node_force_part(self.built, name)
+        return self._parts[name]
 
     @property
     def masses(self) -> np.ndarray:

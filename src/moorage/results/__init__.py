@@ -18,6 +18,7 @@ from moorage.results.dataset import join_columns, line, static_dataset, to_datas
 from moorage.results.envelopes import envelope
 from moorage.results.index import Index, make_index
 from moorage.results.memory import MemoryResult
+from moorage.results.moordyn_out import MoordynOut
 from moorage.results.provenance import fingerprint, run_attributes
 from moorage.results.reader import open_result
 from moorage.results.sea import sea_attributes, warn_of_repetition
@@ -35,6 +36,7 @@ __all__ = [
     "Layout",
     "LineSummary",
     "MemoryResult",
+    "MoordynOut",
     "Seabed",
     "SeabedReport",
     "StreamWriter",

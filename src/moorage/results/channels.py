@@ -25,6 +25,7 @@ from moorage.physics.sea import RECORD
 from moorage.physics.sea_table import FIELDS
 from moorage.solve.march import Block
 from moorage.system.build import Built
+from moorage.system.holders import timed_failures
 from moorage.system.water import sample_water
 
 Evaluate = Callable[[Block], np.ndarray]
@@ -120,7 +121,7 @@ def _of_point(channel: Channel, model: Model, built: Built) -> tuple[str, str, E
 def _of_rod(channel: Channel, model: Model) -> tuple[str, str, Evaluate]:
     """Return the position of a node of a rod; its ends stand behind the points, one row where they are one."""
     k = next(k for k, rod in enumerate(model.rods) if rod.id == channel.id)
-    first = len(model.points) + sum(2 if rod.segments else 1 for rod in model.rods[:k])
+    first = first_rod_end(model, k)
     segments, axis = model.rods[k].segments, "XYZ".index(channel.quantity[-1])
     node = segments if channel.node == -1 else channel.node or 0
     share = node / segments if segments else 0.0
@@ -132,6 +133,12 @@ def _of_rod(channel: Channel, model: Model) -> tuple[str, str, Evaluate]:
         ]
 
     return "m", f"position of node {node} of rod {channel.id}", place
+
+
+def first_rod_end(model: Model, k: int) -> int:
+    """Return the number of end A of a rod among points, ends that come off at a time, and ends of rods."""
+    before = len(model.points) + len(timed_failures(model))
+    return before + sum(2 if rod.segments else 1 for rod in model.rods[:k])
 
 
 def _of_body(channel: Channel, model: Model, motion: Motion | None) -> tuple[str, str, Evaluate]:

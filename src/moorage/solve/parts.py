@@ -5,47 +5,59 @@ So a part is computed by the same kernels as in a run, and the parts add up to t
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 import numpy as np
 
 from moorage.layout import State, System, Weights, copy_of, new_work
+from moorage.physics.friction import NONE
 from moorage.system.assemble import add_bending, assemble_line
 from moorage.system.build import Built
 
 FORCE = Weights(0.0, 0.0, 0.0)
 
 
-class NodeForces(NamedTuple):
-    """Forces on all nodes, (nodes, 3), N."""
-
-    weight: np.ndarray  # dry weight and buoyancy
-    drag: np.ndarray
-    swell: np.ndarray  # of the water's acceleration: Froude-Krylov and added mass
-    seabed: np.ndarray  # contact and friction
-    bending: np.ndarray
+def weight(system: System) -> System:
+    """Leave dry weight and buoyancy."""
+    return silenced(system)._replace(weight=system.weight)
 
 
-def node_forces(built: Built) -> NodeForces:
-    """Return the parts of the force on each node at the present state."""
-    system, state = built.system, copy_of(built.state)
+def drag(system: System) -> System:
+    """Leave drag."""
+    return morison_only(system, [2, 3])
+
+
+def swell(system: System) -> System:
+    """Leave the force of the water's acceleration: Froude-Krylov and added mass."""
+    return morison_only(system, [0, 1, 4])
+
+
+def contact(system: System) -> System:
+    """Leave the normal force of the seabed."""
+    return seabed(system)._replace(friction=system.friction._replace(law=NONE))
+
+
+def seabed(system: System) -> System:
+    """Leave contact and friction."""
+    return silenced(system)._replace(contact=system.contact, friction=system.friction)
+
+
+PARTS = {"weight": weight, "drag": drag, "swell": swell, "contact": contact, "seabed": seabed}
+
+
+def node_force_part(built: Built, name: str) -> np.ndarray:
+    """Return a part of the force on each node at the present state, (nodes, 3), N; name: of `PARTS`, or "bending"."""
+    if name == "bending":
+        return bending_forces(built)
+    state = copy_of(built.state)
     state.acceleration[...] = 0.0
+    return assembled(PARTS[name](built.system), state, FORCE)[0]
+
+
+def morison_only(system: System, columns: list[int]) -> System:
+    """Return a system with some of the columns of `Morison.node` and `.segment` and nothing else."""
     nothing = silenced(system)
-    water = nothing.morison.node.copy()
-    drag, swell = np.zeros_like(water), np.zeros_like(water)
-    drag[:, 2:4] = system.morison.node[:, 2:4]
-    swell[:, [0, 1, 4]] = system.morison.node[:, [0, 1, 4]]
-    drag_part, swell_part = np.zeros_like(system.morison.segment), np.zeros_like(system.morison.segment)
-    drag_part[:, 2:4] = system.morison.segment[:, 2:4]
-    swell_part[:, [0, 1, 4]] = system.morison.segment[:, [0, 1, 4]]
-    morison = nothing.morison
-    return NodeForces(
-        assembled(nothing._replace(weight=system.weight), state, FORCE)[0],
-        assembled(nothing._replace(morison=morison._replace(node=drag, segment=drag_part)), state, FORCE)[0],
-        assembled(nothing._replace(morison=morison._replace(node=swell, segment=swell_part)), state, FORCE)[0],
-        assembled(nothing._replace(contact=system.contact, friction=system.friction), state, FORCE)[0],
-        bending_forces(built),
-    )
+    node, segment = nothing.morison.node, nothing.morison.segment
+    node[:, columns], segment[:, columns] = system.morison.node[:, columns], system.morison.segment[:, columns]
+    return nothing
 
 
 def node_masses(built: Built) -> np.ndarray:
