@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from moorage import io, plot, results
     from moorage._jit import is_cold
+    from moorage.about_rest import natural_modes, stiffness
     from moorage.clamp_doubts import backward_clamps
     from moorage.errors import (
         ConvergenceError,
@@ -63,11 +64,13 @@ _HOMES = {
     "envelope": "results",
     "is_cold": "_jit",
     "line": "results",
+    "natural_modes": "about_rest",
     "open_result": "results",
     "read": "io",
     "read_bathymetry": "io",
     "simulate": "run",
     "solve_statics": "run",
+    "stiffness": "about_rest",
     "suspicious": "model.checks",
     "unbuilt": "model.unbuilt",
     "warmup": "run",
@@ -94,6 +97,7 @@ __all__ = [
     "io",
     "is_cold",
     "line",
+    "natural_modes",
     "open_result",
     "plot",
     "read",
@@ -101,6 +105,7 @@ __all__ = [
     "results",
     "simulate",
     "solve_statics",
+    "stiffness",
     "suspicious",
     "unbuilt",
     "warmup",

@@ -187,6 +187,45 @@ def static(
 
 
 @app.command()
+def modes(
+    file: ModelFile,
+    number: Annotated[int, typer.Option("--number", "-n", min=1, help="How many modes, the lowest first.")] = 10,
+    as_json: Annotated[bool, typer.Option("--json", help="Print JSON, in Hz and s.")] = False,
+    output: Annotated[Path | None, typer.Option("-o", metavar="OUT.nc", help="Keep frequencies and shapes.")] = None,
+    raise_to_seabed: Raise = False,
+) -> None:
+    """Find natural frequencies and shapes about static equilibrium, with the coupled points held."""
+    model = moorage.read(file, raise_to_seabed)
+    announce_compiling()
+    ds = moorage.natural_modes(model, number)
+    if output is not None:
+        ds.to_netcdf(output)
+    if as_json:
+        typer.echo(json.dumps(moorage.results.modes_report(ds), indent=2, allow_nan=False))
+    else:
+        console.mode_table(moorage.results.modes_report(ds))
+
+
+@app.command()
+def stiffness(
+    file: ModelFile,
+    as_json: Annotated[bool, typer.Option("--json", help="Print JSON, in N, m and rad.")] = False,
+    output: Annotated[Path | None, typer.Option("-o", metavar="OUT.nc", help="Keep the matrix.")] = None,
+    raise_to_seabed: Raise = False,
+) -> None:
+    """Find the 6x6 stiffness that each coupled body and the coupled points feel, and what couples them."""
+    model = moorage.read(file, raise_to_seabed)
+    announce_compiling()
+    ds = moorage.stiffness(model)
+    if output is not None:
+        ds.to_netcdf(output)
+    if as_json:
+        typer.echo(json.dumps(moorage.results.stiffness_report(ds), indent=2, allow_nan=False))
+    else:
+        console.stiffness_tables(ds)
+
+
+@app.command()
 def check(file: ModelFile, raise_to_seabed: Raise = False) -> None:
     """Read a model and print what it holds, which options mean nothing here, and what is not simulated yet."""
     model = moorage.read(file, raise_to_seabed)

@@ -18,6 +18,7 @@ from moorage.results.dataset import join_columns, line, static_dataset, to_datas
 from moorage.results.envelopes import envelope
 from moorage.results.index import Index, make_index
 from moorage.results.memory import MemoryResult
+from moorage.results.modes import modes_report, stiffness_report
 from moorage.results.moordyn_out import MoordynOut
 from moorage.results.provenance import fingerprint, run_attributes
 from moorage.results.reader import open_result
@@ -55,6 +56,7 @@ __all__ = [
     "lines_off_the_grid",
     "load_checkpoint",
     "make_index",
+    "modes_report",
     "open_result",
     "plan_outputs",
     "remove_checkpoint",
@@ -65,6 +67,7 @@ __all__ = [
     "seabed_reports",
     "static_dataset",
     "static_report",
+    "stiffness_report",
     "tight_bends",
     "to_dataset",
     "warn_of_lines_off_the_grid",
