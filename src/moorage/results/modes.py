@@ -54,9 +54,9 @@ def platforms_dataset(
     )
 
 
-def modes_report(ds: xr.Dataset) -> list[dict[str, object]]:
+def modes_report(ds: xr.Dataset) -> list[dict[str, str | float | None]]:
     """Return frequency (Hz), period (s), what moves most and along which axis, of each mode; None where not stable."""
-    report = []
+    report: list[dict[str, str | float | None]] = []
     for k, number in enumerate(ds["mode"].values):
         motion = (ds["mode_shape"].values[k] ** 2).sum(axis=0) + (ds["point_shape"].values[k] ** 2).sum(axis=0)
         share = ds["line_energy"].values[k]
