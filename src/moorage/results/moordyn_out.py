@@ -31,7 +31,15 @@ from moorage.results.moordyn_columns import (
 from moorage.solve.march import Block
 from moorage.system.build import Built
 
-UNITS = {"m s-1": "m/s", "m s-2": "m/s2", "degree": "deg", "degree s-1": "deg/s", "degree s-2": "deg/s2", "N m": "Nm"}
+UNITS = {  # of both programs
+    "m s-1": ("m/s", "m/s"),
+    "m s-2": ("m/s^2", "m/s2"),
+    "degree": ("deg", "deg"),
+    "degree s-1": ("deg/s", "deg/s"),
+    "degree s-2": ("deg/s^2", "deg/s2"),
+    "N m": ("N*m", "Nm"),
+    "1": ("(frac)", "frac"),
+}
 Values = Callable[[Block], tuple[np.ndarray, np.ndarray]]  # times (n,) and columns (n, k)
 
 
@@ -204,7 +212,7 @@ def named_outputs(model: Model, outputs: tuple[Output, ...], style: Style) -> li
     for channel in model.outputs:
         if channel.name in known:
             output = known[channel.name]
-            unit = UNITS.get(output.unit, output.unit)
+            unit = UNITS.get(output.unit, (output.unit, output.unit))[style.program == "F"]
             name = written_name(model, channel.name, channel.source) if style.program == "C" else channel.name
             found.append((name, unit if style.program == "C" else f"({unit})", output))
     return found
