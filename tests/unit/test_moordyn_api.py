@@ -341,6 +341,32 @@ def test_steps_and_schemes(system):
         moordyn.SetTimeScheme(system, "magic")
 
 
+def test_out_files_are_written_beside_the_input(deck):
+    """At every step, or at dtOut; they go on when a line breaks; disableOutput leaves them out."""
+    path = deck(("0.001    dtM       time step", "0.2  dtOut"), ("L1N10PX", "L1N10PX Point2FX"))
+    system = moordyn.Create(str(path))
+    moordyn.Init(system, start(system), [0.0] * 3)
+    forces = surge(system, 4)
+    held = moordyn.GetPointForce(moordyn.GetPoint(system, 2))
+    moordyn.BreakLine(system, moordyn.GetPoint(system, 2), moordyn.GetLine(system, 1))
+    surge(system, 2)
+    assert moordyn.Close(system) == 0
+    lines = (path.parent / "model.out").read_text().splitlines()
+    assert lines[0].split() == ["Time", "FairTen1", "L1N10PX", "Point2FX"]
+    rows = np.array([line.split() for line in lines[2:]], dtype=float)
+    np.testing.assert_allclose(rows[:, 0], [0.0, 0.2, 0.4, 0.6])
+    np.testing.assert_allclose(rows[2, 3], held[0], rtol=1e-6)
+    np.testing.assert_allclose(held[0], forces[-1][0], rtol=1e-6)
+    assert rows[3, 3] == 0.0
+    nodes = (path.parent / "model_Line1.out").read_text().splitlines()
+    assert len(nodes) == len(lines)
+    quiet = deck(("0.001    dtM       time step", "1  disableOutput"), name="quiet.dat")
+    system = moordyn.Create(str(quiet))
+    moordyn.Init(system, start(system), [0.0] * 3)
+    surge(system)
+    assert not (path.parent / "quiet.out").exists()
+
+
 BODY = (
     ("---------------------- POINTS", "---------------------- BODIES ---\n"
      "ID Attachment X0 Y0 Z0 r0 p0 y0 Mass CG* I* Volume CdA* Ca\n(#) (-) (m) (m) (m) (deg) (deg) (deg) (kg) (m) (-) (m3) (m2) (-)\n"

@@ -6,7 +6,7 @@ import numpy as np
 
 from moorage.moordyn.codes import BODY_TYPES
 from moorage.moordyn.coupling import angular_velocity
-from moorage.moordyn.handles import Body, Rod, Vector, live, to_tuple
+from moorage.moordyn.handles import Body, Rod, Vector, live, raising, to_tuple
 from moorage.moordyn.points import GetPointForce, Point
 from moorage.moordyn.rods import GetRodForce, holder_of
 
@@ -21,33 +21,39 @@ def GetBodyType(instance: Body) -> int:
     return BODY_TYPES[_body(instance).kind]
 
 
+@raising
 def GetBodyState(instance: Body) -> tuple[tuple[float, ...], tuple[float, ...]]:
     """Return position with Euler angles (m, rad; intrinsic XYZ) and their rates, six numbers each."""
     pose, rate = _motion(instance)
     return to_tuple(pose), to_tuple(rate)
 
 
+@raising
 def GetBodyPos(instance: Body) -> Vector:
     """Return the position, m."""
     return to_tuple(_motion(instance)[0][:3])
 
 
+@raising
 def GetBodyAngle(instance: Body) -> Vector:
     """Return the Euler angles, rad, intrinsic XYZ."""
     return to_tuple(_motion(instance)[0][3:])
 
 
+@raising
 def GetBodyVel(instance: Body) -> Vector:
     """Return the velocity, m/s."""
     return to_tuple(_motion(instance)[1][:3])
 
 
+@raising
 def GetBodyAngVel(instance: Body) -> Vector:
     """Return the angular velocity in global axes, rad/s."""
     pose, rate = _motion(instance)
     return to_tuple(angular_velocity(pose[None, 3:], rate[None, 3:])[0])
 
 
+@raising
 def GetBodyForce(instance: Body) -> tuple[float, ...]:
     """Return force and moment about its origin of what a body carries, N and N m, without inertia.
 
@@ -79,10 +85,4 @@ def _body(instance: Body):
 
 def _motion(instance: Body) -> tuple[np.ndarray, np.ndarray]:
     """Position with angles and their rates, (6,) each."""
-    system, body = live(instance.system), _body(instance)
-    for (kind, id, width), start in zip(system.coupling.owners, system.coupling.starts, strict=False):
-        if (kind, id) == ("body", body.id) and width == 6:
-            return system.pose[start : start + 6], system.rate[start : start + 6]
-    if body.kind != "fixed":
-        raise RuntimeError(f"body {body.id}: {body.kind} bodies are not simulated yet")
-    return np.array([*body.position, *body.rotation]), np.zeros(6)
+    return live(instance.system).body_motion(instance.place)

@@ -137,7 +137,7 @@ def Step(instance: System, x, v, t: float, dt: float) -> tuple[float, ...]:
 
 def Close(instance: System) -> int:
     """Forget the system; it cannot be used any more."""
-    live(instance).closed = True
+    live(instance).close()
     return codes.ERRCODE_SUCCESS
 
 

@@ -15,8 +15,9 @@ from moorage.layout import State, copy_of
 from moorage.model import Attachment, Failure, Model
 from moorage.model.checks import check
 from moorage.moordyn.codes import LEVEL_ERR, LEVEL_MSG, LEVEL_WRN
-from moorage.moordyn.coupling import Coupling, described
+from moorage.moordyn.coupling import Coupling, angular_velocity, described
 from moorage.moordyn.log import Log
+from moorage.moordyn.text import Text
 from moorage.physics.point import sample_loads
 from moorage.results.channels import water_at
 from moorage.solve.host import HostMarch
@@ -59,6 +60,7 @@ class System:
         self.pay_out: dict[int, float] = {}  # line: rate of its unstretched length, m/s
         self.closed = False
         self.water: np.ndarray | None = None  # (nodes, 6) velocity and acceleration that the host gives
+        self.text: Text | None = None
         self._build(build(self.model))
         self.pose, self.rate = described(self.model), np.zeros(self.coupling.size)
 
@@ -130,6 +132,9 @@ class System:
         self.host.initialize(position, velocity, static)
         self.pose, self.rate = pose, rate
         self._forget()
+        if option(self.model, "disableOutput", "0").lower() not in ("1", "true"):
+            self.text = Text(self.path, self.model, self.built)
+            self.text.write(self.host, 0.0, self.body_arrays())
         self.log.say(LEVEL_MSG, f"{self.path}: initialized")
 
     def stop(self) -> None:
@@ -159,7 +164,10 @@ class System:
             raise
         self.pose, self.rate = target, mean
         self._forget()
-        return self.coupled_forces() if self._break_lines() else self._on_coupled(force)
+        broke = self._break_lines()
+        if self.text is not None:
+            self.text.write(self.host, dt, self.body_arrays())
+        return self.coupled_forces() if broke else self._on_coupled(force)
 
     def _pay_out(self, lengths: dict[int, float]) -> None:
         """Make lines longer, m."""
@@ -174,6 +182,32 @@ class System:
         for row in self._loaded:
             force[row] += self.own_load(int(self.built.coupled[row]))
         return self.coupling.gather(self.pose, force, self.host.moments())
+
+    def body_motion(self, place: int) -> tuple[np.ndarray, np.ndarray]:
+        """Return position with angles (m, rad) of a body by its place, and their rates, (6,) each."""
+        body = self.model.bodies[place]
+        for (kind, id, width), start in zip(self.coupling.owners, self.coupling.starts, strict=False):
+            if (kind, id, width) == ("body", body.id, 6):
+                return self.pose[start : start + 6], self.rate[start : start + 6]
+        if body.kind != "fixed":
+            raise MoorageError(f"body {body.id}: {body.kind} bodies are not simulated yet")
+        return np.array([*body.position, *body.rotation]), np.zeros(6)
+
+    def body_arrays(self) -> Block:
+        """Return position, rotation and velocity of all bodies now, as a block has them."""
+        motions = [self.body_motion(k) for k in range(len(self.model.bodies))]
+        if not motions:
+            return {}
+        pose, rate = (np.array(part)[None] for part in zip(*motions, strict=True))
+        spin = angular_velocity(pose[0, :, 3:], rate[0, :, 3:])[None]
+        velocity = np.concatenate([rate[:, :, :3], spin], axis=2)
+        return {"body_position": pose[:, :, :3], "body_rotation": pose[:, :, 3:], "body_velocity": velocity}
+
+    def close(self) -> None:
+        """Close the files; the system cannot be used any more."""
+        self.closed = True
+        if self.text is not None:
+            self.text.close()
 
     def own_load(self, point: int) -> np.ndarray:
         """Return weight, buoyancy, drag and constant force of a point by itself, (3,), N."""
@@ -231,6 +265,9 @@ class System:
         self._build(new)
         self.host.take_over(time, state, *self.coupling.at(self.pose, self.rate))
         self.host.march.control = self.host.march.control._replace(step_max=march.control.step_max)
+        if self.text is not None:
+            self.text.close()
+            self.text = Text(self.path, self.model, self.built, self.text.rows)
         self.log.say(LEVEL_MSG, f"{', '.join(f'line {old.lines[k].id}' for k in lines)} came off {attachment}")
 
     def _break_lines(self) -> bool:
