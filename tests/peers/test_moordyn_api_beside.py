@@ -112,3 +112,35 @@ def test_the_history_of_forces(results, record_property):
     record_property("error", error)
     assert error < 0.02
     np.testing.assert_allclose(results["ours"]["moved"], results["theirs"]["moved"], atol=1e-9)
+
+
+def broken(m, path):
+    """Break a chain at its fairlead after a second, and follow the free end for four more."""
+    system = m.Create(str(path))
+    m.SetVerbosity(system, m.LEVEL_ERR)
+    points = [m.GetPoint(system, k) for k in (4, 5, 6)]
+    x = np.concatenate([m.GetPointPos(p) for p in points])
+    m.Init(system, x, np.zeros(9))
+    line, track = m.GetLine(system, 1), []
+    for k in range(100):
+        if k == 20:
+            m.BreakLine(system, points[0], line)
+        force = m.Step(system, x, np.zeros(9), 0.05 * k, 0.05)
+        track.append(m.GetLineNodePos(line, m.GetLineN(line)))
+    found = np.array(track), m.GetNumberPoints(system), m.GetPointNAttached(points[0]), np.array(force)
+    m.Close(system)
+    return found
+
+
+def test_a_broken_line_falls_as_there(tmp_path, monkeypatch, record_property):
+    """The free end within 2 % of its way: 30 m in 4 s, the first of them in a snap that depends on time steps."""
+    theirs = pytest.importorskip("moordyn")
+    monkeypatch.chdir(tmp_path)
+    path = decks.write(decks.CHAINS, tmp_path, **REFINED)
+    mine, other = broken(ours, path), broken(theirs, path)
+    assert mine[1:3] == other[1:3] == (7, 0)
+    way = np.linalg.norm(other[0][-1] - other[0][19])
+    error = float(np.linalg.norm(mine[0] - other[0], axis=1).max() / way)
+    record_property("error", error)
+    assert error < 0.02
+    np.testing.assert_array_equal(mine[3][:3], 0.0)

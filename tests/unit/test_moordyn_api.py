@@ -324,6 +324,32 @@ def test_logs(system, tmp_path, capsys):
     assert moordyn.SetLogFile(system, str(tmp_path / "none" / "run.log")) == moordyn.ERRCODE_INVALID_OUTPUT_FILE
 
 
+def test_a_step_can_be_limited_before_the_start(path):
+    system = moordyn.Create(str(path))
+    assert moordyn.GetDt(system) == 0.15
+    moordyn.SetDt(system, 0.01)
+    moordyn.Init(system, start(system), [0.0] * 3)
+    assert moordyn.GetDt(system) == 0.01
+    surge(system, 1)
+    assert system.host.march.counters["steps"] >= 10
+    with pytest.raises(RuntimeError, match="no time step"):
+        moordyn.SetDt(system, 0.0)
+
+
+def test_before_the_start_lines_are_on_their_catenaries(path):
+    system = moordyn.Create(str(path))
+    line = moordyn.GetLine(system, 1)
+    np.testing.assert_allclose(moordyn.GetLineNodePos(line, 20), start(system))
+    assert 1e5 < moordyn.GetLineFairTen(line) < 1e7
+    assert not system.started
+    for call in (
+        lambda: moordyn.Serialize(system),
+        lambda: moordyn.BreakLine(system, moordyn.GetPoint(system, 2), line),
+    ):
+        with pytest.raises(RuntimeError, match="before Init"):
+            call()
+
+
 def test_steps_and_schemes(system):
     moordyn.SetDt(system, 0.01)
     assert moordyn.GetDt(system) == 0.01

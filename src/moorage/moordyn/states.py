@@ -46,6 +46,8 @@ def LoadState(instance: System, filepath: str) -> None:
 @raising
 def Serialize(instance: System) -> bytes:
     """Return the whole state as bytes."""
+    if not live(instance).started:
+        raise RuntimeError("Serialize before Init: call Init first")
     buffer = io.BytesIO()
     np.savez(buffer, **live(instance).save())  # type: ignore[arg-type]
     return buffer.getvalue()

@@ -130,6 +130,8 @@ class System:
         """Start at time 0 with the coupled objects at `pose`, moving at `rate`; statically, or as described."""
         position, velocity = self.coupling.at(pose, rate)
         self.host.initialize(position, velocity, static)
+        if self.step_max is not None:
+            self.limit_step(self.step_max)
         self.pose, self.rate = pose, rate
         self._forget()
         if option(self.model, "disableOutput", "0").lower() not in ("1", "true"):
@@ -246,8 +248,10 @@ class System:
     def limit_step(self, dt: float) -> None:
         """Take no internal step longer than dt, s."""
         self.step_max = dt
-        march = self.host.march
-        march.control = march.control._replace(step_max=dt, step=min(march.control.step, dt))
+        if self.started:
+            march = self.host.march
+            march.control = march.control._replace(step_max=dt)
+            march.clocks.step[:] = np.minimum(march.clocks.step, dt)
 
     def break_off(self, attachment: Attachment, lines: tuple[int, ...]) -> None:
         """Take lines (by their places) off a point; they hold on to a new free point that is like it."""
@@ -264,7 +268,7 @@ class System:
         time, march = self.time, self.host.march
         self._build(new)
         self.host.take_over(time, state, *self.coupling.at(self.pose, self.rate))
-        self.host.march.control = self.host.march.control._replace(step_max=march.control.step_max)
+        self.limit_step(march.control.step_max)
         if self.text is not None:
             self.text.close()
             self.text = Text(self.path, self.model, self.built, self.text.rows)
