@@ -12,23 +12,23 @@ from typing import NamedTuple
 
 import numpy as np
 
-from moorage.layout import copy_of
 from moorage.model import Line, Rod
 from moorage.results.channels import water_at
 from moorage.solve.march import Block
-from moorage.solve.parts import node_force_part
+from moorage.solve.parts import part_histories
 from moorage.system.build import Built
 
 XYZ = "xyz"
 
 
 class Moment(NamedTuple):
-    """A line in one block: node values (n, nodes, ...), segment values (n, segments), and where to get the rest."""
+    """A line in one block: its rows among all nodes and segments, and what all lines share of that block."""
 
     built: Built
     block: Block
     nodes: slice
     segments: slice
+    shared: dict[str, np.ndarray]  # by name, what has been computed for all nodes of the block
 
     def at_nodes(self, name: str) -> np.ndarray:
         """Return a history of the line's nodes."""
@@ -69,22 +69,23 @@ class Moment(NamedTuple):
 
     def parts(self, *names: str) -> np.ndarray:
         """Return the sum of parts of the node forces (see `moorage.solve.parts`), (n, nodes, 3), N."""
-        times, every = self.block["node_time"], self.block["node_position"]
-        out = np.zeros((len(times), self.nodes.stop - self.nodes.start, 3))
-        count = every.shape[1]
-        for row, time in enumerate(times):
-            state = copy_of(self.built.state)
-            state.position[:count], state.velocity[:count] = every[row], self.block["node_velocity"][row]
-            state.water[:count] = water_at(self.built, np.full(count, time), every[row].copy())
-            now = self.built._replace(state=state)
-            out[row] = sum(node_force_part(now, name)[self.nodes] for name in names)
-        return out
+        for name in names:
+            if name not in self.shared:
+                r, v = self.block["node_position"], self.block["node_velocity"]
+                self.shared[name] = part_histories(self.built, name, r, v, self.all_water())
+        return sum((self.shared[name][:, self.nodes] for name in names), np.zeros(self.at_nodes("node_position").shape))
+
+    def all_water(self) -> np.ndarray:
+        """Return elevation, velocity and acceleration of the water at all nodes, (n, nodes, 7)."""
+        if "water" not in self.shared:
+            r = self.block["node_position"]
+            times = np.repeat(self.block["node_time"], r.shape[1])
+            self.shared["water"] = water_at(self.built, times, r.reshape(-1, 3).copy()).reshape(*r.shape[:2], -1)
+        return self.shared["water"]
 
     def water(self) -> np.ndarray:
         """Return the velocity of the water at the nodes, (n, nodes, 3), m/s."""
-        r = self.at_nodes("node_position")
-        times = np.repeat(self.block["node_time"], r.shape[1])
-        return water_at(self.built, times, r.reshape(-1, 3).copy())[:, 1:4].reshape(r.shape)
+        return self.all_water()[:, self.nodes, 1:4]
 
     def seabed(self) -> np.ndarray:
         """Return contact and friction of the seabed on the nodes, (n, nodes, 3), N."""

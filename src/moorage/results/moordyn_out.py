@@ -21,6 +21,7 @@ from moorage.model.channels import parse_channel
 from moorage.results.channels import Output, first_rod_end
 from moorage.results.moordyn_columns import (
     ROD_LETTERS,
+    Columns,
     Moment,
     line_columns,
     names_of,
@@ -147,6 +148,7 @@ class MoordynOut:
         date = datetime.now().strftime("%d-%b-%Y at %H:%M:%S")
         self._head = [line.format(f"Moorage {version}".strip(), date) for line in self.style.preamble]
         self.files: list[TextFile] = []
+        self._shared: dict[str, np.ndarray] = {}  # what the lines have in common, of the block being written
         channels = named_outputs(model, outputs, self.style)
         if channels:
             self._add(
@@ -161,15 +163,18 @@ class MoordynOut:
         for k, line in enumerate(model.lines):
             columns = line_columns(line, self.style.program)
             if columns:
-                place = slice(*built.names.node_ptr[k : k + 2]), slice(*built.names.segment_ptr[k : k + 2])
-                suffix = self.style.part.format("Line", line.id)
-
-                def values(block: Block, columns=columns, place=place):
-                    return block["node_time"], values_of(columns, Moment(built, block, *place))
-
+                suffix, values = self.style.part.format("Line", line.id), self._line_values(built, k, columns)
                 self._add(root, suffix, units(names_of(columns, line.segments)), values, rows, "node_time")
         for rod in asked_rods:
             self._add_rod(root, model, rod, rows)
+
+    def _line_values(self, built: Built, k: int, columns: list[Columns]) -> Values:
+        """Return how the columns of the k-th line follow from a block."""
+        nodes, segments = (slice(*ptr[k : k + 2]) for ptr in (built.names.node_ptr, built.names.segment_ptr))
+        return lambda block: (
+            block["node_time"],
+            values_of(columns, Moment(built, block, nodes, segments, self._shared)),
+        )
 
     def _add(self, root: Path, suffix: str, columns, values: Values, rows: Mapping[str, int] | None, time: str) -> None:
         path = root.with_name(root.name + suffix)
@@ -196,6 +201,7 @@ class MoordynOut:
 
     def append(self, block: Block) -> None:
         """Write one block into all files."""
+        self._shared.clear()
         for file in self.files:
             file.append(block)
 

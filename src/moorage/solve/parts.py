@@ -52,6 +52,20 @@ def node_force_part(built: Built, name: str) -> np.ndarray:
     return assembled(PARTS[name](built.system), state, FORCE)[0]
 
 
+def part_histories(built: Built, name: str, position, velocity, water) -> np.ndarray:
+    """Return a part of the forces on all nodes, (n, nodes, 3), N, for histories (n, nodes, 3), m and m/s.
+
+    water: (n, nodes, 7) elevation, velocity and acceleration of the water. `name` is one of `PARTS`.
+    """
+    system, state, count = PARTS[name](built.system), copy_of(built.state), position.shape[1]
+    state.acceleration[...] = 0.0
+    out = np.empty(position.shape)
+    for row in range(len(out)):
+        state.position[:count], state.velocity[:count], state.water[:count] = position[row], velocity[row], water[row]
+        out[row] = assembled(system, state, FORCE)[0]
+    return out
+
+
 def morison_only(system: System, columns: list[int]) -> System:
     """Return a system with some of the columns of `Morison.node` and `.segment` and nothing else."""
     nothing = silenced(system)
