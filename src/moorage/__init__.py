@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from moorage import io, plot, results
     from moorage._jit import is_cold
+    from moorage.about_rest import natural_modes, stiffness
     from moorage.clamp_doubts import backward_clamps
     from moorage.errors import (
         ConvergenceError,
@@ -34,7 +35,7 @@ if TYPE_CHECKING:
     from moorage.model import Model
     from moorage.model.checks import suspicious
     from moorage.model.unbuilt import unbuilt
-    from moorage.results import envelope, line, open_result
+    from moorage.results import envelope, line, open_result, write_vtk
     from moorage.run import simulate, solve_statics, warmup
     from moorage.show import view
     from moorage.simulation import Simulation
@@ -64,15 +65,18 @@ _HOMES = {
     "envelope": "results",
     "is_cold": "_jit",
     "line": "results",
+    "natural_modes": "about_rest",
     "open_result": "results",
     "read": "io",
     "read_bathymetry": "io",
     "simulate": "run",
     "solve_statics": "run",
+    "stiffness": "about_rest",
     "suspicious": "model.checks",
     "unbuilt": "model.unbuilt",
     "view": "show",
     "warmup": "run",
+    "write_vtk": "results",
 }
 
 __all__ = [
@@ -95,6 +99,7 @@ __all__ = [
     "io",
     "is_cold",
     "line",
+    "natural_modes",
     "open_result",
     "plot",
     "read",
@@ -102,10 +107,12 @@ __all__ = [
     "results",
     "simulate",
     "solve_statics",
+    "stiffness",
     "suspicious",
     "unbuilt",
     "view",
     "warmup",
+    "write_vtk",
 ]
 
 

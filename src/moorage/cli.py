@@ -130,6 +130,7 @@ def run(
     dt_nodes: Annotated[float | None, typer.Option(help="Interval of node histories, s (default: --dt-out).")] = None,
     resume: Annotated[bool, typer.Option("--resume", help="Go on where an interrupted run stopped.")] = False,
     output: Annotated[Path | None, typer.Option("-o", metavar="OUT.nc", help="Result (default: FILE's name).")] = None,
+    moordyn_out: Annotated[bool, typer.Option("--moordyn-out", help="Write MoorDyn's .out files too.")] = False,
     raise_to_seabed: Raise = False,
 ) -> None:
     """Simulate a mooring in time; write a NetCDF file and a figure, and print a table."""
@@ -156,6 +157,7 @@ def run(
                 output=target,
                 resume=resume,
                 progress=progress,
+                moordyn_out=target.with_suffix("") if moordyn_out else None,
             )
     except moorage.RunInterrupted as error:
         message = f"stopped at {error.time:g} s of {case.duration:g} s; results up to there are in {target}\n"
@@ -182,6 +184,45 @@ def static(
         typer.echo(json.dumps(moorage.results.static_report(ds), indent=2, allow_nan=False))
     else:
         console.static_tables(ds, moorage.results.cable_reports(ds), moorage.results.seabed_reports(ds))
+
+
+@app.command()
+def modes(
+    file: ModelFile,
+    number: Annotated[int, typer.Option("--number", "-n", min=1, help="How many modes, the lowest first.")] = 10,
+    as_json: Annotated[bool, typer.Option("--json", help="Print JSON, in Hz and s.")] = False,
+    output: Annotated[Path | None, typer.Option("-o", metavar="OUT.nc", help="Keep frequencies and shapes.")] = None,
+    raise_to_seabed: Raise = False,
+) -> None:
+    """Find natural frequencies and shapes about static equilibrium, with the coupled points held."""
+    model = moorage.read(file, raise_to_seabed)
+    announce_compiling()
+    ds = moorage.natural_modes(model, number)
+    if output is not None:
+        ds.to_netcdf(output)
+    if as_json:
+        typer.echo(json.dumps(moorage.results.modes_report(ds), indent=2, allow_nan=False))
+    else:
+        console.mode_table(moorage.results.modes_report(ds))
+
+
+@app.command()
+def stiffness(
+    file: ModelFile,
+    as_json: Annotated[bool, typer.Option("--json", help="Print JSON, in N, m and rad.")] = False,
+    output: Annotated[Path | None, typer.Option("-o", metavar="OUT.nc", help="Keep the matrix.")] = None,
+    raise_to_seabed: Raise = False,
+) -> None:
+    """Find the 6x6 stiffness that each coupled body and the coupled points feel, and what couples them."""
+    model = moorage.read(file, raise_to_seabed)
+    announce_compiling()
+    ds = moorage.stiffness(model)
+    if output is not None:
+        ds.to_netcdf(output)
+    if as_json:
+        typer.echo(json.dumps(moorage.results.stiffness_report(ds), indent=2, allow_nan=False))
+    else:
+        console.stiffness_tables(ds)
 
 
 @app.command()
@@ -256,6 +297,15 @@ def animate(
     with console.work_bar("frames") as progress:
         made = moorage.plot.animate(moorage.open_result(result), output, speed=speed, fps=fps, progress=progress)
     console.out.print(f"film {made}", markup=False, soft_wrap=True)
+def vtk(
+    result: ResultFile,
+    output: Annotated[Path | None, typer.Option("-o", metavar="FOLDER", help="Folder (default: RESULT-vtk).")] = None,
+    every: Annotated[int, typer.Option(min=1, help="Write each so many instants of the node histories.")] = 1,
+) -> None:
+    """Write a result as VTK files with a series that ParaView opens."""
+    folder = result.with_name(f"{result.stem}-vtk") if output is None else output
+    series = moorage.write_vtk(moorage.open_result(result), folder, every)
+    console.out.print(f"series {series}", markup=False, soft_wrap=True)
 
 
 @app.command()

@@ -196,6 +196,29 @@ def static_tables(ds: xr.Dataset, cables: Sequence[CableReport] = (), seabed: Se
     out.print(f"\nlargest out-of-balance force {float(ds['residual']):.2e} N after {int(ds['iterations'])} iterations")
 
 
+def mode_table(modes: Sequence[Mapping[str, Any]]) -> None:
+    """Print natural modes: frequency, period, and what moves where to."""
+    table = _table("Natural modes about static equilibrium", ["mode", "Hz", "period s", "mostly", "along"])
+    for mode in modes:
+        period = "" if mode["period"] is None else f"{mode['period']:.3f}"
+        frequency = "not stable" if mode["frequency"] is None else f"{mode['frequency']:.5f}"
+        table.add_row(str(mode["mode"]), frequency, period, str(mode["moves"]), str(mode["along"]))
+    _print(table)
+
+
+def stiffness_tables(ds: xr.Dataset) -> None:
+    """Print the stiffness of each platform, and what couples each two."""
+    for name in ds["platform"].values:
+        for other in ds["platform_"].values:
+            part = ds["platform_stiffness"].sel(platform=name, platform_=other)
+            where = ", ".join(f"{v:g}" for v in ds["platform_origin"].sel(platform=name).values)
+            title = f"Stiffness of {name} about ({where})" if name == other else f"Load on {name} by motion of {other}"
+            table = _table(f"\n{title} (N, m, rad)", ["", *map(str, ds["dof"].values)])
+            for dof, row in zip(ds["dof"].values, part.values, strict=True):
+                table.add_row(str(dof), *(f"{v:.3e}" for v in row))
+            _print(table)
+
+
 def model_summary(model: Model, sea: Mapping[str, Any]) -> None:
     """Print what a model holds; `sea` holds the attributes of its waves."""
     kinds = [point.kind for point in model.points]

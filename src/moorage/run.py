@@ -21,6 +21,7 @@ from moorage.results import (
     Checkpoint,
     Layout,
     MemoryResult,
+    MoordynOut,
     StreamWriter,
     bending_of,
     fingerprint,
@@ -98,6 +99,7 @@ def simulate(
     output: str | Path | None = None,
     resume: bool = False,
     progress: Progress | None = None,
+    moordyn_out: str | Path | None = None,
 ) -> xr.Dataset:
     """Simulate a mooring in time.
 
@@ -128,6 +130,9 @@ def simulate(
         Go on from the checkpoint beside `output`; the numbers are those of a run that was not interrupted.
     progress : callable, optional
         Called after each block with simulated time, duration and wall time, s.
+    moordyn_out : path, optional
+        Root of MoorDyn's text files, which are written too: root.out with the channels of the model, and root_Line1.out
+        and so on for the lines and rods that ask (root.MD.out and root.MD.Line1.out for a file of MoorDyn-F).
 
     Returns
     -------
@@ -178,8 +183,13 @@ def simulate(
         "dt_nodes": settings.dt_nodes or "none",
     }
     attrs = run_attributes(model, motion, chosen | words | friction_in_statics(model), VERSION)
+    text = None
+    if moordyn_out is not None:
+        rows_written = _rows_written(saved.rows, layout.node_time) if saved else None
+        nodes = settings.dt_nodes is not None
+        text = MoordynOut(Path(moordyn_out), model, built, layout.outputs, nodes, rows_written, VERSION)
     if output is None:
-        result = stream(march, MemoryResult(layout, attrs), layout, progress)
+        result = stream(march, MemoryResult(layout, attrs), layout, progress, text=text)
     else:
         writer = StreamWriter(Path(output), layout, rows, attrs, saved.rows if saved else None)
 
@@ -187,7 +197,7 @@ def simulate(
             save_checkpoint(writer.path, Checkpoint(march.checkpoint(), dict(writer.written), mark, VERSION))
 
         try:
-            result = stream(march, writer, layout, progress, keep, resumed=saved is not None)
+            result = stream(march, writer, layout, progress, keep, saved is not None, text)
         except SimulationError:
             remove_checkpoint(writer.path)
             raise
@@ -248,6 +258,11 @@ def _rows(duration: float, settings: Settings) -> dict[str, int]:
         "time": rows,
         "node_time": int(np.floor(end / settings.dt_nodes + 1e-6)) + 1 if settings.dt_nodes else 0,
     }
+
+
+def _rows_written(rows: Mapping[str, int], node_time: str) -> dict[str, int]:
+    """Return the numbers of times and of node histories in a result."""
+    return {"time": rows["time"], "node_time": rows["node_time" if node_time == "node_time" else "time"]}
 
 
 def _warn_of_rest(duration: float, end: float, dt_out: float) -> None:

@@ -13,7 +13,7 @@ import numpy as np
 import xarray as xr
 
 from moorage.errors import ModelWarning, RunInterrupted, SimulationError
-from moorage.results import Layout, MemoryResult, StreamWriter
+from moorage.results import Layout, MemoryResult, MoordynOut, StreamWriter
 from moorage.solve.march import Block, March
 
 Progress = Callable[[float, float, float], None]
@@ -30,6 +30,7 @@ def stream(
     progress: Progress | None = None,
     keep: Callable[[], None] | None = None,
     resumed: bool = False,
+    text: MoordynOut | None = None,
 ) -> xr.Dataset:
     """March to the end, hand every block to the result, and close it with the status of the run.
 
@@ -41,6 +42,8 @@ def stream(
         Called after each block is written, to save a checkpoint.
     resumed : bool
         The records of the present time are there already.
+    text : MoordynOut, optional
+        MoorDyn's files, which get every block before the result does: so a checkpoint never knows more than they hold.
     """
     begin: float | None = None
     status = f"interrupted at {march.time:g} s"
@@ -48,6 +51,8 @@ def stream(
         with deferred_interrupt() as asked:
             for block in blocks(march, resumed):
                 warn_of_shock(block)
+                if text is not None:
+                    text.append(block)
                 result.append(layout.columns(block))
                 if keep is not None:
                     keep()
@@ -64,10 +69,14 @@ def stream(
         raise
     except SimulationError as error:
         status = f"failed at {error.time:g} s: {str(error).splitlines()[0]}"
+        if text is not None:
+            text.append(error.block)  # type: ignore[attr-defined]
         result.append(layout.columns(error.block))  # type: ignore[attr-defined]
         error.dataset = result.dataset
         raise
     finally:
+        if text is not None:
+            text.close()
         result.close({"status": status, **march.counters})
     return result.dataset()
 

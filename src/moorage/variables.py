@@ -92,6 +92,18 @@ _TABLE = (
     Variable("stiffness", "K", ("dof", "dof_"), "N m-1", "of the coupled points moved as one platform, in N, m, rad"),
     Variable("dof", "", ("dof",), "1", "force or moment on the platform"),
     Variable("dof_", "", ("dof_",), "1", "displacement or rotation of the platform"),
+    Variable("mode", "", ("mode",), "1", "number of a natural mode, the lowest first"),
+    Variable("frequency", "f", ("mode",), "Hz", "natural frequency; NaN: the state is not stable in this mode"),
+    Variable("period", "T", ("mode",), "s", "natural period"),
+    Variable("mode_shape", "", ("mode", "node", "xyz"), "1", "displacement of a node, over the largest of the mode"),
+    Variable("point_shape", "", ("mode", "point", "xyz"), "1", "displacement of a point, over the largest of the mode"),
+    Variable("line_energy", "", ("mode", "line"), "1", "share of a line in the kinetic energy of a mode"),
+    Variable("platform", "", ("platform",), "1", "what moves as one rigid body"),
+    Variable("platform_", "", ("platform_",), "1", "what moves as one rigid body, of the displacement"),
+    Variable("platform_origin", "", ("platform", "xyz"), "m", "about which a platform turns and moments are taken"),
+    Variable(
+        "platform_stiffness", "K", ("platform", "dof", "platform_", "dof_"), "N m-1", "load by motion, N, m, rad"
+    ),
     Variable("residual", "", (), "N", "largest out-of-balance force on a node or free point"),
     Variable("iterations", "", (), "1", "Newton iterations of the static solution"),
 )  # fmt: skip

@@ -70,8 +70,8 @@ CASES = {
         m, failures=(Failure(id=1, attachment=m.lines[0].end_a, lines=(1,), tension=1e6, source=AT),)
     ),
     "controlled lengths are": _with(controls=(Control(channel=1, lines=(1,), source=AT),)),
-    "other channels of rods and bodies than positions are": _with(
-        outputs=(OutputChannel(name="BODY1RX", source=AT), OutputChannel(name="BODY1PX", source=AT))
+    "this of a body is": _with(
+        outputs=(OutputChannel(name="BODY1MX", source=AT), OutputChannel(name="BODY1PX", source=AT))
     ),
     "external loads are": _with(external_loads=(ExternalLoad(id=1, target="point", target_id=1, source=AT),)),
 }

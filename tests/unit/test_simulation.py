@@ -100,3 +100,27 @@ def test_a_clamp_beside_coupled_points_stays_where_it_is():
     for time in (0.1, 0.2, 0.3):
         force = sim.step(time, sim.position, np.zeros((1, 3)))
     np.testing.assert_allclose(force, still, rtol=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("time", "position", "words"),
+    [
+        (0.2, np.nan, "3 x 3 finite numbers .* NaN"),
+        (0.2, np.inf, "3 x 3 finite numbers"),
+        (0.1, 0.0, "time must increase"),
+        (0.05, 0.0, "time must increase"),
+        (np.nan, 0.0, "time must increase"),
+        (0.2, 1e200, "stopped"),
+    ],
+)
+def test_a_bad_call_leaves_the_state_as_it_was(sim, time, position, words):
+    sim.initialize()
+    sim.step(0.1, sim.position, np.zeros((3, 3)))
+    before = sim.save()
+    with pytest.raises(moorage.SimulationError, match=words):
+        sim.step(time, np.full((3, 3), position), np.zeros((3, 3)))
+    after = sim.save()
+    assert before.keys() == after.keys()
+    for name in before:
+        np.testing.assert_array_equal(after[name], before[name], err_msg=name)
+    assert sim.time == 0.1

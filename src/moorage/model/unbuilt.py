@@ -9,6 +9,11 @@ from moorage.model.cables import stiff_ends
 from moorage.model.channels import parse_channel
 from moorage.model.model import Model
 
+GIVEN = {  # channels of rods and bodies that follow from their imposed motion and from the lines
+    "rod": ("PX", "PY", "PZ", "RX", "RY", "TEN", "TENA", "TENB"),
+    "body": ("PX", "PY", "PZ", "RX", "RY", "RZ", "VX", "VY", "VZ"),
+}
+
 
 def refuse_unbuilt(model: Model) -> None:
     """Raise one `UnsupportedError` that names every feature of the model that is not simulated yet."""
@@ -81,9 +86,10 @@ def _controls(model: Model) -> Iterator[Problem]:
 def _channels(model: Model) -> Iterator[Problem]:
     for output in model.outputs:
         channel = parse_channel(output.name)
-        if channel and channel.object in ("rod", "body") and channel.quantity not in ("PX", "PY", "PZ"):
-            message = f"channel {output.name}: other channels of rods and bodies than positions are not simulated yet"
-            yield Problem(message, "remove it, or ask for PX, PY, PZ", output.source)
+        known = GIVEN.get(channel.object) if channel else None
+        if channel and known and channel.quantity not in known:
+            message = f"channel {output.name}: this of a {channel.object} is not simulated yet"
+            yield Problem(message, f"remove it, or ask for {', '.join(known)}", output.source)
 
 
 UNBUILT: tuple[Callable[[Model], Iterator[Problem]], ...] = (

@@ -18,12 +18,15 @@ from moorage.results.dataset import join_columns, line, static_dataset, to_datas
 from moorage.results.envelopes import envelope
 from moorage.results.index import Index, make_index
 from moorage.results.memory import MemoryResult
+from moorage.results.modes import modes_report, stiffness_report
+from moorage.results.moordyn_out import MoordynOut
 from moorage.results.provenance import fingerprint, run_attributes
 from moorage.results.reader import open_result
 from moorage.results.sea import sea_attributes, warn_of_repetition
 from moorage.results.seabed import Seabed, seabed_of
 from moorage.results.seabed_report import SeabedReport, seabed_reports
 from moorage.results.statistics import LineSummary, Summary, has_static_tensions, line_summaries, static_report
+from moorage.results.vtk import write_vtk
 from moorage.results.writer import StreamWriter
 
 __all__ = [
@@ -34,6 +37,7 @@ __all__ = [
     "Layout",
     "LineSummary",
     "MemoryResult",
+    "MoordynOut",
     "Seabed",
     "SeabedReport",
     "StreamWriter",
@@ -52,6 +56,7 @@ __all__ = [
     "lines_off_the_grid",
     "load_checkpoint",
     "make_index",
+    "modes_report",
     "open_result",
     "plan_outputs",
     "remove_checkpoint",
@@ -62,10 +67,12 @@ __all__ = [
     "seabed_reports",
     "static_dataset",
     "static_report",
+    "stiffness_report",
     "tight_bends",
     "to_dataset",
     "warn_of_lines_off_the_grid",
     "warn_of_repetition",
     "warn_of_tight_bends",
     "watch_list",
+    "write_vtk",
 ]

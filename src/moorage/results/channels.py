@@ -19,12 +19,13 @@ import numpy as np
 from moorage.layout import Weights
 from moorage.model import Model, Motion
 from moorage.model.channels import Channel, parse_channel
-from moorage.physics.motion import no_tracks, sample_track, spline_tracks
 from moorage.physics.point import sample_loads
 from moorage.physics.sea import RECORD
 from moorage.physics.sea_table import FIELDS
+from moorage.results.rigid_channels import of_body, of_rod
 from moorage.solve.march import Block
 from moorage.system.build import Built
+from moorage.system.holders import timed_failures
 from moorage.system.water import sample_water
 
 Evaluate = Callable[[Block], np.ndarray]
@@ -97,14 +98,16 @@ def _output(
     if channel.object == "point":
         unit, words, evaluate = _of_point(channel, model, built)
     elif channel.object == "rod":
-        unit, words, evaluate = _of_rod(channel, model)
+        k = next(k for k, rod in enumerate(model.rods) if rod.id == channel.id)
+        unit, words, evaluate = of_rod(channel, model, k, first_rod_end(model, k))
     elif channel.object == "body":
-        unit, words, evaluate = _of_body(channel, model, motion)
+        k = next(k for k, body in enumerate(model.bodies) if body.id == channel.id)
+        unit, words, evaluate = of_body(channel, model, k, motion)
     elif _end(model, channel) is not None:
         unit, words, evaluate = _of_end(channel, model)
     else:
         unit, words, evaluate = _of_node(channel, model, watched)
-    along = "" if channel.quantity.startswith("TEN") else f", {channel.quantity[-1].lower()}"
+    along = "" if channel.quantity.startswith(("TEN", "SUB")) else f", {channel.quantity[-1].lower()}"
     return Output(name, unit, words + along, evaluate)
 
 
@@ -117,39 +120,10 @@ def _of_point(channel: Channel, model: Model, built: Built) -> tuple[str, str, E
     return unit, f"{field} of point {channel.id}", _vector(f"point_{field}", k, quantity)
 
 
-def _of_rod(channel: Channel, model: Model) -> tuple[str, str, Evaluate]:
-    """Return the position of a node of a rod; its ends stand behind the points, one row where they are one."""
-    k = next(k for k, rod in enumerate(model.rods) if rod.id == channel.id)
-    first = len(model.points) + sum(2 if rod.segments else 1 for rod in model.rods[:k])
-    segments, axis = model.rods[k].segments, "XYZ".index(channel.quantity[-1])
-    node = segments if channel.node == -1 else channel.node or 0
-    share = node / segments if segments else 0.0
-    last = first + 1 if segments else first
-
-    def place(block: Block) -> np.ndarray:
-        return (1.0 - share) * block["holder_position"][:, first, axis] + share * block["holder_position"][
-            :, last, axis
-        ]
-
-    return "m", f"position of node {node} of rod {channel.id}", place
-
-
-def _of_body(channel: Channel, model: Model, motion: Motion | None) -> tuple[str, str, Evaluate]:
-    """Return the imposed position of a body's reference point."""
-    body = next(body for body in model.bodies if body.id == channel.id)
-    axis, rest = "XYZ".index(channel.quantity[-1]), np.array([body.position])
-    moved = motion.resolve_bodies(model) if motion else {}
-    tracks = no_tracks(rest)
-    if motion and body.id in moved:
-        tracks = spline_tracks(rest, motion.time, {0: moved[body.id][0]})
-
-    def place(block: Block) -> np.ndarray:
-        times = block["time"]
-        position, velocity, acceleration = (np.empty((len(times), 3)) for _ in range(3))
-        sample_track(tracks, 0, times, position, velocity, acceleration)
-        return position[:, axis]
-
-    return "m", f"position of body {channel.id}", place
+def first_rod_end(model: Model, k: int) -> int:
+    """Return the number of end A of a rod among points, ends that come off at a time, and ends of rods."""
+    before = len(model.points) + len(timed_failures(model))
+    return before + sum(2 if rod.segments else 1 for rod in model.rods[:k])
 
 
 def _of_end(channel: Channel, model: Model) -> tuple[str, str, Evaluate]:

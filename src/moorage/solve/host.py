@@ -9,11 +9,19 @@ from __future__ import annotations
 import numpy as np
 
 from moorage.errors import SimulationError
+from moorage.layout import State
 from moorage.physics.motion import Tracks
 from moorage.solve.march import Block, March, Settings
-from moorage.solve.record import FORCE_A, new_record
+from moorage.solve.record import FORCE_A, MOMENT_A, Record, new_record
 from moorage.solve.statics import rest, solve
 from moorage.system.build import Built, with_motion
+
+
+def turned_directions(built: Built) -> np.ndarray:
+    """Return the tracks of the directions that coupled rods and bodies turn: of clamps, and two axes of each body."""
+    directions = built.system.bending.direction[np.isin(built.system.lines.end_point, built.coupled)]
+    axes = built.bodies.axes[np.isin(built.bodies.place, built.coupled)]
+    return np.unique(np.concatenate([directions[directions >= 0], axes, axes + 1]))
 
 
 class HostMarch:
@@ -24,22 +32,33 @@ class HostMarch:
     built : Built
         System with its coupled points where the model describes them.
     settings : Settings
+
+    Attributes
+    ----------
+    driven : (m,) int
+        Tracks that the host moves: the coupled points and rod ends, then the directions of the clamps on them. Forces
+        are those on the first `len(built.coupled)`.
+    position, velocity : (m, 3) array
+        Of them now, m and m/s.
     """
 
     def __init__(self, built: Built, settings: Settings | None = None):
-        coupled, m = built.coupled, len(built.coupled)
+        coupled = built.coupled
+        self.driven = np.concatenate([coupled, turned_directions(built)]).astype(np.int64)
+        m = len(self.driven)
         track = np.full(len(built.system.tracks.rest), -1)  # of points, ends of rods, and directions of clamps
-        track[coupled] = np.arange(m)
+        track[self.driven] = np.arange(m)
         # one interval for each coupled point, rewritten in place at each coupling step
         self._tracks = Tracks(track, built.system.tracks.rest.copy(), np.array([0.0, 1.0]), np.zeros((m, 1, 3, 4)))
-        row = np.full(len(track), m)  # all other holders share one row, which nobody looks at
-        row[coupled] = np.arange(m)
         self._lines = len(built.names.lines)
-        self._component = (3 * row[built.system.lines.end_point[: self._lines].ravel(), None] + np.arange(3)).ravel()
+        row = np.full(len(track), len(coupled))  # all other holders share one row, which nobody looks at
+        row[coupled] = np.arange(len(coupled))
+        ends = built.system.lines.end_point[: self._lines].ravel()
+        self._component = (3 * row[ends, None] + np.arange(3)).ravel()
         self._record = new_record(built.system, np.zeros(1), np.zeros(0), np.zeros((0, 2), dtype=np.int64))
         self.built = with_motion(built, self._tracks)
         self.settings = settings or Settings()
-        self.position = self._tracks.rest[coupled].copy()  # (m, 3) of the coupled points now
+        self.position = self._tracks.rest[self.driven].copy()
         self.velocity = np.zeros_like(self.position)
         self.time = 0.0
         self._march: March | None = None
@@ -58,6 +77,17 @@ class HostMarch:
         self.time = 0.0
         self._march = March(self.built, self.settings, 0.0)
         return self._forces(0.0)
+
+    def take_over(self, time: float, state: State, position, velocity) -> np.ndarray:
+        """Go on at a time (s) from the state of another system with the same rows; return the forces, (m, 3), N."""
+        self.position, self.velocity = self._checked("position", position), self._checked("velocity", velocity)
+        for target, source in zip(self.built.state, state, strict=True):
+            target[...] = source
+        self._set_tracks(time, time + 1.0, self.position + self.velocity, self.velocity)
+        self._march = March(self.built, self.settings, 0.0)
+        self._march._begin(time)
+        self.time = float(time)
+        return self._forces(time)
 
     def step(self, time: float, position, velocity) -> np.ndarray:
         """Advance to `time` (s) with the coupled points ending at (m, 3) m and m/s; return the forces on them, N.
@@ -101,6 +131,24 @@ class HostMarch:
         self.time = float(saved["host"][0])
         self.position, self.velocity = saved["host_position"].copy(), saved["host_velocity"].copy()
 
+    @property
+    def march(self) -> March:
+        """The march below."""
+        if self._march is None:
+            raise SimulationError("nothing to look at before initialize(): call initialize() first", self.time)
+        return self._march
+
+    def fill(self, record: Record) -> Block:
+        """Return the records of the present time, for a record of one time made with `new_record`."""
+        record.time[:] = self.time
+        record.node_time[:] = self.time
+        self.march.run(self.time, self.time, record)
+        return self.march.block(record, len(record.time), len(record.node_time))
+
+    def moments(self) -> np.ndarray:
+        """Return the moments of the line ends on the coupled points and rod ends, (m, 3), N m."""
+        return self._sum_ends(MOMENT_A)
+
     def _checked(self, name: str, values) -> np.ndarray:
         array = np.array(values, dtype=float)
         if array.size != self.position.size or not np.isfinite(array).all():
@@ -130,6 +178,10 @@ class HostMarch:
         self._record.time[0] = time
         self._march.run(time, time, self._record)
         self._march.time = time
-        ends = self._record.lines[0, : self._lines, FORCE_A : FORCE_A + 6].ravel()
-        m = len(self.position)
+        return self._sum_ends(FORCE_A)
+
+    def _sum_ends(self, column: int) -> np.ndarray:
+        """Sum a vector of all line ends on each coupled point and rod end, (m, 3)."""
+        ends = self._record.lines[0, : self._lines, column : column + 6].ravel()
+        m = len(self.built.coupled)
         return np.bincount(self._component, ends, 3 * m + 3)[: 3 * m].reshape(m, 3)

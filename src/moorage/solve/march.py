@@ -290,7 +290,7 @@ class March:
                 until, stop, built.island_of_line, record,
             )  # fmt: skip
 
-        workers = min(PROCESSORS, islands, int(built.system.lines.node_ptr[-1]) // THREAD_NODES + 1)
+        workers = min(PROCESSORS, max(islands, 1), int(built.system.lines.node_ptr[-1]) // THREAD_NODES + 1)
         if workers == 1:
             part((0, islands))
         else:

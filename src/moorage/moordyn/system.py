@@ -1,0 +1,376 @@
+"""A mooring behind MoorDyn's handles: a model, its march, its log, and what a host has changed since it was read."""
+
+from __future__ import annotations
+
+import dataclasses
+import warnings
+from pathlib import Path
+
+import numpy as np
+
+from moorage.accept import accept
+from moorage.errors import ModelWarning, MoorageError, SimulationError
+from moorage.io import read
+from moorage.layout import State, copy_of
+from moorage.model import Attachment, Failure, Model
+from moorage.model.checks import check
+from moorage.moordyn.codes import LEVEL_ERR, LEVEL_MSG, LEVEL_WRN
+from moorage.moordyn.coupling import Coupling, angular_velocity, described
+from moorage.moordyn.log import Log
+from moorage.moordyn.text import Text
+from moorage.physics.point import sample_loads
+from moorage.results.channels import water_at
+from moorage.solve.host import HostMarch
+from moorage.solve.march import Block, Settings, control_of
+from moorage.solve.parts import FORCE, node_force_part, node_masses
+from moorage.solve.record import Record, new_record
+from moorage.system.build import Built, build
+
+SETTINGS = Settings(dt_nodes=1.0)  # so that records have node histories
+
+
+class System:
+    """A mooring system as MoorDyn's API knows it.
+
+    Parameters
+    ----------
+    path : path
+        MoorDyn's input file, or a native one.
+
+    Attributes
+    ----------
+    time : float
+        Of the mooring's own clock, s: 0 at `initialize`, then the sum of the steps.
+    pose, rate : (dof,) array
+        Coupled degrees of freedom at the end of the last step, m and rad, and their rates.
+    """
+
+    def __init__(self, path: str | Path):
+        self.path, self.log = Path(path), Log()
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always", ModelWarning)
+            model = read(path)
+            check(model)
+            self.model, self.failures = without_host_parts(model), list(model.failures)
+            accept(self.model)
+        for warning in caught:
+            self.log.say(LEVEL_WRN, str(warning.message))
+        self.step_max: float | None = None
+        self.scheme = option(self.model, "tScheme", "implicit")
+        self.pay_out: dict[int, float] = {}  # line: rate of its unstretched length, m/s
+        self.closed = False
+        self.water: np.ndarray | None = None  # (nodes, 6) velocity and acceleration that the host gives
+        self.text: Text | None = None
+        self._build(build(self.model))
+        self.pose, self.rate = described(self.model), np.zeros(self.coupling.size)
+
+    def _build(self, built: Built) -> None:
+        self.host = HostMarch(built, SETTINGS)
+        self.coupling = Coupling(self.model, built, self.host.driven)
+        points = built.system.points
+        loaded = (points.mass != 0.0) | (points.buoyancy != 0.0) | (points.drag != 0.0) | points.force.any(axis=1)
+        self._loaded = [row for row, k in enumerate(built.coupled) if loaded[k]]
+        self._record: Record | None = None
+        self._forget()
+
+    def _forget(self) -> None:
+        self._block: Block | None = None
+        self._parts: dict[str, np.ndarray] = {}
+        self._masses: np.ndarray | None = None
+
+    @property
+    def built(self) -> Built:
+        """The system with its state."""
+        return self.host.march.built if self.started else self.host.built
+
+    @property
+    def started(self) -> bool:
+        """Whether `initialize` has been called."""
+        return self.host._march is not None
+
+    @property
+    def time(self) -> float:
+        """Time of the state, s."""
+        return self.host.time
+
+    @property
+    def block(self) -> Block:
+        """The records of the present time, with all nodes watched; before `initialize` those of the first guess."""
+        if self._block is None:
+            if not self.started:
+                self.host.take_over(0.0, copy_of(self.host.built.state), *self.coupling.at(self.pose, self.rate))
+                self._block = self._fill()
+                self.host._march = None
+            else:
+                self._block = self._fill()
+        return self._block
+
+    def _fill(self) -> Block:
+        if self._record is None:
+            ptr = self.built.names.node_ptr
+            nodes = [(k, i) for k in range(len(ptr) - 1) for i in range(ptr[k + 1] - ptr[k])]
+            watched = np.array(nodes, dtype=np.int64).reshape(-1, 2)
+            self._record = new_record(self.built.system, np.zeros(1), np.zeros(1), watched)
+        return {name: values[0].copy() for name, values in self.host.fill(self._record).items()}
+
+    def part(self, name: str) -> np.ndarray:
+        """Return a part of the force on each node, see `moorage.solve.parts`, (nodes, 3), N."""
+        if name not in self._parts:
+            self._parts[name] = node_force_part(self.built, name)
+        return self._parts[name]
+
+    @property
+    def masses(self) -> np.ndarray:
+        """Mass matrices of the nodes, (nodes, 3, 3), kg."""
+        if self._masses is None:
+            self._masses = node_masses(self.built)
+        return self._masses
+
+    def initialize(self, pose: np.ndarray, rate: np.ndarray, static: bool) -> None:
+        """Start at time 0 with the coupled objects at `pose`, moving at `rate`; statically, or as described."""
+        position, velocity = self.coupling.at(pose, rate)
+        self.host.initialize(position, velocity, static)
+        if self.step_max is not None:
+            self.limit_step(self.step_max)
+        self.pose, self.rate = pose, rate
+        self._forget()
+        if option(self.model, "disableOutput", "0").lower() not in ("1", "true"):
+            self.text = Text(self.path, self.model, self.built)
+            self.text.write(self.host, 0.0, self.body_arrays())
+        self.log.say(LEVEL_MSG, f"{self.path}: initialized")
+
+    def stop(self) -> None:
+        """Go back to before `initialize`."""
+        self.host._march = None
+        self._forget()
+
+    def step(self, pose: np.ndarray, rate: np.ndarray, dt: float) -> np.ndarray:
+        """Go on by dt (s); the coupled objects go in straight lines (and angles) from where they are to pose + dt rate.
+
+        Returns
+        -------
+        (dof,) array
+            Forces and moments of the mooring on them, N and N m.
+        """
+        target = pose + dt * rate
+        mean = (target - self.pose) / dt
+        host, before = self.host, (self.host.velocity, [line.length for line in self.model.lines])
+        self._pay_out({line: speed * dt for line, speed in self.pay_out.items()})
+        host.velocity = self.coupling.at(self.pose, mean)[1]  # MoorDyn's velocity jumps from step to step
+        self._set_water()
+        try:
+            force = host.step(host.time + dt, *self.coupling.at(target, mean))
+        except SimulationError:
+            host.velocity = before[0]
+            self._pay_out({line: before[1][line] - self.model.lines[line].length for line in self.pay_out})
+            raise
+        self.pose, self.rate = target, mean
+        self._forget()
+        broke = self._break_lines()
+        if self.text is not None:
+            self.text.write(self.host, dt, self.body_arrays())
+        return self.coupled_forces() if broke else self._on_coupled(force)
+
+    def _pay_out(self, lengths: dict[int, float]) -> None:
+        """Make lines longer, m."""
+        for line, length in lengths.items():
+            self.change_line(line, length=self.model.lines[line].length + length)
+
+    def coupled_forces(self) -> np.ndarray:
+        """Return the forces on the coupled degrees of freedom now, (dof,), N and N m."""
+        return self._on_coupled(self.host._forces(self.time))
+
+    def _on_coupled(self, force: np.ndarray) -> np.ndarray:
+        for row in self._loaded:
+            force[row] += self.own_load(int(self.built.coupled[row]))
+        return self.coupling.gather(self.pose, force, self.host.moments())
+
+    def body_motion(self, place: int) -> tuple[np.ndarray, np.ndarray]:
+        """Return position with angles (m, rad) of a body by its place, and their rates, (6,) each."""
+        body = self.model.bodies[place]
+        for (kind, id, width), start in zip(self.coupling.owners, self.coupling.starts, strict=False):
+            if (kind, id, width) == ("body", body.id, 6):
+                return self.pose[start : start + 6], self.rate[start : start + 6]
+        if body.kind != "fixed":
+            raise MoorageError(f"body {body.id}: {body.kind} bodies are not simulated yet")
+        return np.array([*body.position, *body.rotation]), np.zeros(6)
+
+    def body_arrays(self) -> Block:
+        """Return position, rotation and velocity of all bodies now, as a block has them."""
+        motions = [self.body_motion(k) for k in range(len(self.model.bodies))]
+        if not motions:
+            return {}
+        pose, rate = (np.array(part)[None] for part in zip(*motions, strict=True))
+        spin = angular_velocity(pose[0, :, 3:], rate[0, :, 3:])[None]
+        velocity = np.concatenate([rate[:, :, :3], spin], axis=2)
+        return {"body_position": pose[:, :, :3], "body_rotation": pose[:, :, 3:], "body_velocity": velocity}
+
+    def close(self) -> None:
+        """Close the files; the system cannot be used any more."""
+        self.closed = True
+        if self.text is not None:
+            self.text.close()
+
+    def own_load(self, point: int) -> np.ndarray:
+        """Return weight, buoyancy, drag and constant force of a point by itself, (3,), N."""
+        out, (place, velocity) = np.zeros((1, 3)), (values[None].copy() for values in self.point_motion(point))
+        water = water_at(self.built, np.array([self.time]), place)
+        sample_loads(self.built.system.points, point, water, place, velocity, FORCE, out)
+        return out[0]
+
+    def point_motion(self, holder: int) -> tuple[np.ndarray, np.ndarray]:
+        """Return position and velocity of a point or rod end, (3,) each."""
+        driven = np.flatnonzero(self.host.driven == holder)
+        if len(driven):
+            position, velocity = self.coupling.at(self.pose, self.rate)
+            return position[driven[0]], velocity[driven[0]]
+        row = int(self.built.names.node_ptr[-1]) + holder
+        if holder in self.built.system.islands.points:
+            return self.built.state.position[row].copy(), self.built.state.velocity[row].copy()
+        return self.built.system.tracks.rest[holder].copy(), np.zeros(3)
+
+    def change_line(self, line: int, *, length: float | None = None, stiffness: float | None = None) -> None:
+        """Give a line (by its place) another unstretched length, m, or axial stiffness, N, from now on."""
+        self.model = with_line(self.model, line, length, stiffness)
+        fresh = build(self.model)
+        march, host = self.host.march if self.started else None, self.host
+        for owner in (host, march):
+            if owner is not None:
+                old = owner.built.system
+                system = fresh.system._replace(tracks=old.tracks, sea=old.sea)
+                owner.built = owner.built._replace(system=system, names=fresh.names)
+        if march is not None:
+            march.control = control_of(march.settings, march.built)._replace(step_max=march.control.step_max)
+        else:
+            host.built.state.position[...] = fresh.state.position
+        self._forget()
+
+    def limit_step(self, dt: float) -> None:
+        """Take no internal step longer than dt, s."""
+        self.step_max = dt
+        if self.started:
+            march = self.host.march
+            march.control = march.control._replace(step_max=dt)
+            march.clocks.step[:] = np.minimum(march.clocks.step, dt)
+
+    def break_off(self, attachment: Attachment, lines: tuple[int, ...]) -> None:
+        """Take lines (by their places) off a point; they hold on to a new free point that is like it."""
+        old, before = self.model, self.built
+        self.model = broken(old, attachment, lines)
+        points = len(old.points)
+        new = build(self.model)
+        nodes = int(before.names.node_ptr[-1])
+        rows = np.insert(np.arange(len(before.state.position)), nodes + points, 0)
+        line = self.model.lines[lines[0]]
+        end = 0 if line.end_a == Attachment("point", self.model.points[-1].id) else 1
+        rows[nodes + points] = before.names.node_ptr[lines[0] + end] - end
+        state = State(*(values[rows] for values in before.state))
+        time, march = self.time, self.host.march
+        self._build(new)
+        self.host.take_over(time, state, *self.coupling.at(self.pose, self.rate))
+        self.limit_step(march.control.step_max)
+        if self.text is not None:
+            self.text.close()
+            self.text = Text(self.path, self.model, self.built, self.text.rows)
+        self.log.say(LEVEL_MSG, f"{', '.join(f'line {old.lines[k].id}' for k in lines)} came off {attachment}")
+
+    def _break_lines(self) -> bool:
+        """Let lines come off whose failure has come: at a time, or at a tension of the line at that end."""
+        before = len(self.failures)
+        for failure in list(self.failures):
+            places = tuple(k for k, line in enumerate(self.model.lines) if line.id in failure.lines)
+            if self._fails(failure, places):
+                self.failures.remove(failure)
+                self.break_off(failure.attachment, places)
+        return len(self.failures) < before
+
+    def _fails(self, failure: Failure, places: tuple[int, ...]) -> bool:
+        if 0.0 < failure.time <= self.time:
+            return True
+        if failure.tension <= 0.0:
+            return False
+        ends = [(k, 0 if self.model.lines[k].end_a == failure.attachment else 1) for k in places]
+        load = self.host._record.lines[0, :, 0:6].reshape(-1, 2, 3)
+        return any(np.linalg.norm(load[k, end]) > failure.tension for k, end in ends)
+
+    def _set_water(self) -> None:
+        """Put the host's water, where it gives any, at the nodes; without a sea and a current nothing overwrites it."""
+        if self.water is not None:
+            march, nodes = self.host.march, len(self.water)
+            for state in (march.built.state, march.old, march.built.work.trial):
+                state.water[:nodes, 1:7] = self.water
+
+    def save(self) -> Block:
+        """Return everything that `restore` needs."""
+        host = self.host.save()
+        lengths = np.array([line.length for line in self.model.lines])
+        return host | {"pose": self.pose, "rate": self.rate, "length": lengths}
+
+    def restore(self, saved: Block) -> None:
+        """Go back to a saved state of the same system, bit for bit."""
+        if not self.started:
+            self.initialize(self.pose, self.rate, static=False)
+        now = self.host.save()
+        wrong = [name for name in now if name not in saved or saved[name].shape != now[name].shape]
+        if wrong:
+            raise MoorageError(f"the saved state is of another system: {', '.join(wrong)} differ in shape")
+        for k, length in enumerate(saved["length"]):
+            if length != self.model.lines[k].length:
+                self.change_line(k, length=float(length))
+        self.host.restore({name: saved[name] for name in now})
+        self.pose, self.rate = saved["pose"].copy(), saved["rate"].copy()
+        self._forget()
+
+    def set_state(self, state: State) -> None:
+        """Go on from a state whose nodes and free points have been changed, at the present time."""
+        self.host.take_over(self.time, state, *self.coupling.at(self.pose, self.rate))
+        self._forget()
+
+    def say_error(self, error: Exception) -> None:
+        """Log an error."""
+        self.log.say(LEVEL_ERR, str(error))
+
+
+def without_host_parts(model: Model) -> Model:
+    """Return a model without what this module does itself: failures, and water that the host gives."""
+    env = model.environment
+    if env.unread_water is not None and (env.unread_water.option, str(env.unread_water.value)) == ("WaveKin", "1"):
+        env = dataclasses.replace(env, unread_water=None)
+    return dataclasses.replace(model, failures=(), environment=env)
+
+
+def option(model: Model, name: str, default: str) -> str:
+    """Return the value of an option that means nothing to the engine."""
+    return next((o.value for o in model.unused_options if o.name == name), default)
+
+
+def with_line(model: Model, k: int, length: float | None, stiffness: float | None) -> Model:
+    """Return a model with another unstretched length (all sections in proportion) or axial stiffness of a line."""
+    line, types = model.lines[k], model.line_types
+    sections = line.sections
+    if length is not None:
+        factor = length / line.length
+        sections = tuple(dataclasses.replace(s, length=s.length * factor) for s in sections)
+    if stiffness is not None:
+        own = {s.line_type: f"{s.line_type} of line {line.id}" for s in sections if " of line " not in s.line_type}
+        made = [dataclasses.replace(model.line_type(name), name=new) for name, new in own.items()]
+        sections = tuple(dataclasses.replace(s, line_type=own.get(s.line_type, s.line_type)) for s in sections)
+        names = {s.line_type for s in sections}
+        types = tuple(
+            dataclasses.replace(t, axial_stiffness=stiffness) if t.name in names else t for t in (*types, *made)
+        )
+    lines = list(model.lines)
+    lines[k] = dataclasses.replace(line, sections=sections)
+    return dataclasses.replace(model, lines=tuple(lines), line_types=types)
+
+
+def broken(model: Model, attachment: Attachment, places: tuple[int, ...]) -> Model:
+    """Return a model in which lines hold on to a free point of their own instead of an attachment."""
+    id = max(point.id for point in model.points) + 1
+    old = model.point(attachment.id)
+    new = dataclasses.replace(old, id=id, kind="free", body=None, turbine=None)
+    lines = list(model.lines)
+    for k in places:
+        ends = {name: Attachment("point", id) for name in ("end_a", "end_b") if getattr(lines[k], name) == attachment}
+        lines[k] = dataclasses.replace(lines[k], **ends)  # type: ignore[arg-type]
+    return dataclasses.replace(model, points=(*model.points, new), lines=tuple(lines))
