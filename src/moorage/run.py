@@ -13,7 +13,7 @@ import numpy as np
 import xarray as xr
 
 from moorage._jit import mark_warm
-from moorage.accept import accept, check_settings
+from moorage.accept import accept, check_settings, check_water
 from moorage.at_rest import records_at_rest, static_tensions
 from moorage.errors import ModelWarning, SimulationError
 from moorage.model import Attachment, Environment, Line, LineType, Model, Motion, OutputChannel, Point, Section
@@ -34,11 +34,13 @@ from moorage.results import (
     static_dataset,
     warn_of_lines_off_the_grid,
     warn_of_repetition,
+    warn_of_short_current,
     warn_of_tight_bends,
     watch_list,
 )
 from moorage.simulation import Simulation
 from moorage.solve.clamps import warn_of_clamps
+from moorage.solve.given_water import WaterFeed, WaterFunction
 from moorage.solve.march import March, Settings, default_tolerance
 from moorage.solve.statics import rest, solve
 from moorage.solve.stiffness import platform_stiffness
@@ -94,6 +96,8 @@ def simulate(
     method: Literal["implicit", "rk2", "rk4"] = "implicit",
     start: Literal["static", "as-given"] | None = None,
     save: Literal["all", "tensions"] = "all",
+    water: WaterFunction | None = None,
+    water_interval: float = 0.1,
     output: str | Path | None = None,
     resume: bool = False,
     progress: Progress | None = None,
@@ -121,6 +125,12 @@ def simulate(
         State at time 0: static equilibrium, or lines at rest on their first catenary; by default what the model says.
     save : {"all", "tensions"}
         Whether node and segment histories are kept.
+    water : callable, optional
+        Gives the waves, in place of those of the model: of a time (s) and places (n, 3) m it returns elevation (n,) m,
+        velocity (n, 3) m/s and local acceleration (n, 3) m/s2. The current of the model is added.
+    water_interval : float
+        Between the times at which `water` is called, s; between them the water is linear in time. It is called for
+        where the nodes will be then.
     output : path, optional
         A NetCDF file that grows while the run goes on; the dataset returned is then read from it when used.
     resume : bool
@@ -152,9 +162,13 @@ def simulate(
         "start": model.start if start is None else start,
         "save": save,
     }
+    if water is not None:
+        chosen |= {"water": getattr(water, "__qualname__", type(water).__qualname__), "water_interval": water_interval}
     check_settings(chosen, resume, output)
     accept(model)
+    check_water(model, water, water_interval)
     warn_of_repetition(model.environment.waves, duration)
+    warn_of_short_current(model.environment.current, duration)
     settings = _settings(model, chosen)
     rows = _rows(duration, settings)
     _warn_of_rest(duration, (rows["time"] - 1) * settings.dt_out, settings.dt_out)
@@ -166,9 +180,10 @@ def simulate(
         (solve if chosen["start"] == "static" else rest)(built)
         static = static_tensions(built) if chosen["start"] == "static" else {}
         warn_of_clamps(built)
-    layout = _layout(model, built, _node_dimension(settings), motion, static)
+    feed = None if water is None else WaterFeed(water, float(water_interval), len(built.state.position))
+    layout = _layout(model, built, _node_dimension(settings), motion, static, feed)
     later = build_failures(model, motion, duration)
-    march = March(built, settings, (rows["time"] - 1) * settings.dt_out, later)
+    march = March(built, settings, (rows["time"] - 1) * settings.dt_out, later, feed)
     if saved is not None:
         march.restore(saved.state)
     words = {
@@ -272,8 +287,9 @@ def _layout(
     node_time: str,
     motion: Motion | None = None,
     static: Mapping[str, np.ndarray] | None = None,
+    water: WaterFeed | None = None,
 ) -> Layout:
     index = make_index(model, built.names)
     bending = bending_of(model, built, index.allowed_bend_radius)
-    outputs = plan_outputs(model, built, motion)
+    outputs = plan_outputs(model, built, motion, water)
     return Layout(index, outputs, node_time, bending, seabed_of(model, built), model.environment.waves, static or {})

@@ -54,6 +54,7 @@ SCHEMA: dict[str, dict[str, Key]] = {
         "bathymetry": Key("bathymetry", "-", "depths on a rectangular grid"),
         "current": Key("current", "-", "steady current by level"),
         "waves": Key("waves", "-", "Airy waves: components, or with `spectrum` a sea state"),
+        "host_waves": Key("flag", "-", "waves come from the program that moves the mooring, or from a function"),
         "unread_water": Key("unread water", "-", "a sea as MoorDyn's options name it, which is not simulated"),
     },
     "friction": {

@@ -17,15 +17,25 @@ import numpy as np
 
 from moorage._jit import inlined, summed
 
-NONE, WHEELER, VERTICAL = 0, 1, 2
+NONE, WHEELER, VERTICAL, LINEAR = 0, 1, 2, 3
 PAD = 16
 REACH = 20.0  # components with k |z'| above this are left out
+BELOW = 1e-3  # of the shortest wave's 1/k: the second level from which linear stretching goes on
 # columns of a record: elevation and its derivatives; velocity; acceleration; its time derivative; gradients of both
 ETA, ETA_T, ETA_X, ETA_Y, U, A, J, GRAD_U, GRAD_A, RECORD = 0, 1, 2, 3, 4, 7, 10, 13, 18, 23
+WATER = 7  # elevation, velocity and acceleration
+
+
+class Given(NamedTuple):
+    """Water that a host or a function gives at the rows of the state, linear between two times and held outside."""
+
+    time: np.ndarray  # (2,) s
+    before: np.ndarray  # (rows, 7) elevation, velocity and acceleration at the first of them; no rows: not given
+    after: np.ndarray  # (rows, 7) and at the second
 
 
 class Sea(NamedTuple):
-    """Components (padded) of the waves, and how they are used."""
+    """Components (padded) of the waves, and how they are used; or water that is given."""
 
     amplitude: np.ndarray  # (n,) m; n = 0: no waves
     frequency: np.ndarray  # (n,) rad/s
@@ -38,12 +48,23 @@ class Sea(NamedTuple):
     stretching: int
     ramp: float  # s
     interval: float  # s between the times of the table; 0: a sum at each evaluation
+    given: Given
 
 
 def no_sea() -> Sea:
     """Return still water."""
     none = np.zeros(0)
-    return Sea(none, none, none, none, none, none, none, 1.0, WHEELER, 0.0, 0.0)
+    return Sea(none, none, none, none, none, none, none, 1.0, WHEELER, 0.0, 0.0, given_at(0))
+
+
+def given_at(rows) -> Given:
+    """Return still water that can be set at rows of the state."""
+    return Given(np.zeros(2), np.zeros((rows, WATER)), np.zeros((rows, WATER)))
+
+
+def scratch_for(sea: Sea, *shape) -> np.ndarray:
+    """Return scratch space for sums, (*shape, 3, ...): of all components, and a record."""
+    return np.zeros((*shape, 3, max(len(sea.k), RECORD) if len(sea.k) else 0))
 
 
 def sea_of(amplitude, frequency, phase, k, direction, depth, stretching, ramp, interval) -> Sea:
@@ -59,7 +80,7 @@ def sea_of(amplitude, frequency, phase, k, direction, depth, stretching, ramp, i
     return Sea(
         padded(amplitude, 0.0), padded(frequency), padded(phase), padded(k), padded(k * np.cos(direction)),
         padded(k * np.sin(direction)), padded(np.exp(-2.0 * k * depth)), float(depth), stretching, float(ramp),
-        float(interval),
+        float(interval), given_at(0),
     )  # fmt: skip
 
 
@@ -171,21 +192,25 @@ def profile_sum(p, level, count, c, s, out):
 def stretched(p, z, eta):
     """Level z' (m) that stands for z, and its derivatives to z and to the elevation.
 
-    Above the still water, where only partly wet segments look, z' tends smoothly to 1/k of the shortest component: a
-    corner there would spoil the interpolation in time.
+    Above the surface, where only partly wet segments look, z' tends smoothly to 1/k of the shortest component: a
+    corner there would spoil the interpolation in time. Vertical stretching has its own corner at the still water.
     """
-    level, to_z, to_eta = z, 1.0, 0.0
+    if p.stretching == VERTICAL:
+        return (0.0, 0.0, 0.0) if z > 0.0 else (max(z, -p.depth), 1.0, 0.0)
+    level, to_z, to_eta, surface = z, 1.0, 0.0, eta
     if p.stretching == WHEELER:
         to_z = p.depth / (p.depth + eta)
         level = to_z * (z + p.depth) - p.depth
         to_eta = -(z + p.depth) * to_z / (p.depth + eta)
-    factor = 1.0
-    if level > 0.0:
-        q = level * p.k[len(p.k) - 1]
+        surface = 0.0
+    if level > surface:
+        q = (level - surface) * p.k[len(p.k) - 1]
         q = q * q * q * q
         factor = (1.0 + q) ** -1.25
-        level = level * (1.0 + q) ** -0.25
-    return max(level, -p.depth), factor * to_z, factor * to_eta
+        level = surface + (level - surface) * (1.0 + q) ** -0.25
+        to_z *= factor
+        to_eta = factor * to_eta if p.stretching == WHEELER else 1.0 - factor
+    return max(level, -p.depth), to_z, to_eta
 
 
 @inlined
@@ -198,9 +223,20 @@ def within_reach(p, level):
 
 
 @inlined
-def record_at(p, r, t, share, c, s, out):
-    """Fill a record (RECORD,) for the place r and time t, without the ramp; share: of the sea that has grown by t."""
+def record_at(p, r, t, share, scratch, out):
+    """Fill a record (RECORD,) for the place r and time t, without the ramp; share: of the sea that has grown by t.
+
+    scratch, see `scratch_for`, is overwritten.
+    """
+    c, s = scratch[0], scratch[1]
     eta, eta_t, eta_x, eta_y = elevation_sum(p, r[0], r[1], t, c, s)
     level, _, _ = stretched(p, r[2], share * eta)
     out[ETA], out[ETA_T], out[ETA_X], out[ETA_Y] = eta, eta_t, eta_x, eta_y
-    profile_sum(p, level, within_reach(p, level), c, s, out)
+    beyond = max(level, 0.0) if p.stretching == LINEAR else 0.0
+    profile_sum(p, level - beyond, within_reach(p, level), c, s, out)
+    if beyond > 0.0:  # goes on as from a level just below the still water; what changes with z stays as it is there
+        below = BELOW / p.k[len(p.k) - 1]
+        profile_sum(p, -below, len(p.k), c, s, scratch[2])
+        for m in range(U, GRAD_A + 3):
+            if m != GRAD_U + 3 and m != GRAD_U + 4:
+                out[m] += beyond / below * (out[m] - scratch[2, m])

@@ -20,7 +20,7 @@ from moorage.results.index import Index, make_index
 from moorage.results.memory import MemoryResult
 from moorage.results.provenance import fingerprint, run_attributes
 from moorage.results.reader import open_result
-from moorage.results.sea import sea_attributes, warn_of_repetition
+from moorage.results.sea import sea_attributes, warn_of_repetition, warn_of_short_current
 from moorage.results.seabed import Seabed, seabed_of
 from moorage.results.seabed_report import SeabedReport, seabed_reports
 from moorage.results.statistics import LineSummary, Summary, has_static_tensions, line_summaries, static_report
@@ -66,6 +66,7 @@ __all__ = [
     "to_dataset",
     "warn_of_lines_off_the_grid",
     "warn_of_repetition",
+    "warn_of_short_current",
     "warn_of_tight_bends",
     "watch_list",
 ]

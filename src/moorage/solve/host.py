@@ -10,7 +10,9 @@ import numpy as np
 
 from moorage.errors import SimulationError
 from moorage.physics.motion import Tracks
+from moorage.solve.given_water import as_water, set_given, takes_water
 from moorage.solve.march import Block, March, Settings
+from moorage.solve.march_kernel import start_islands
 from moorage.solve.record import FORCE_A, new_record
 from moorage.solve.statics import rest, solve
 from moorage.system.build import Built, with_motion
@@ -24,9 +26,12 @@ class HostMarch:
     built : Built
         System with its coupled points where the model describes them.
     settings : Settings
+    hosts_water : bool
+        Whether the host gives the water.
     """
 
-    def __init__(self, built: Built, settings: Settings | None = None):
+    def __init__(self, built: Built, settings: Settings | None = None, hosts_water: bool = False):
+        built = takes_water(built) if hosts_water else built
         coupled, m = built.coupled, len(built.coupled)
         track = np.full(len(built.system.tracks.rest), -1)  # of points, ends of rods, and directions of clamps
         track[coupled] = np.arange(m)
@@ -81,6 +86,29 @@ class HostMarch:
             raise
         self.time, self.position, self.velocity = float(time), position, velocity
         return forces
+
+    def water_nodes(self) -> np.ndarray:
+        """Return where the host has to say what the water does, (rows, 3), m: every row of the state."""
+        places = self.built.state.position.copy()
+        first = self.built.names.node_ptr[-1]
+        free = self.built.system.islands.points
+        rest = self._tracks.rest[: len(places) - first]
+        held = np.setdiff1d(np.arange(len(rest)), free)
+        places[first + held] = rest[held]
+        places[first + self.built.coupled] = self.position
+        return places
+
+    def set_water(self, elevation, velocity, acceleration, time: float | None = None) -> None:
+        """Say what the water does at `water_nodes` now, or at a later time (s) to which it goes linearly."""
+        if self._march is None:
+            raise SimulationError("set_water() before initialize(): call initialize() first", self.time)
+        given, time = self.built.system.sea.given, self.time if time is None else float(time)
+        if not time >= self.time:
+            raise SimulationError(f"set_water() at {time} s, but the run is at {self.time:g} s", self.time)
+        values = as_water(self.time, len(given.before), elevation, velocity, acceleration)
+        set_given(given, self.time, values, time)
+        if time == self.time:  # the forces jump, and with them the accelerations
+            start_islands(self.built.system, self.built.state, self.built.work, self.time)
 
     def save(self) -> Block:
         """Return the whole state, so that a host can come back to it."""

@@ -15,6 +15,7 @@ from moorage.errors import SimulationError
 from moorage.layout import new_state
 from moorage.physics.motion import sample_track
 from moorage.solve import record as columns
+from moorage.solve.given_water import WaterFeed, takes_water
 from moorage.solve.march_kernel import OK, UNSTABLE, Clocks, Control, march_islands, start_islands
 from moorage.solve.places import place_name
 from moorage.solve.record import Record, new_record
@@ -122,11 +123,22 @@ class March:
     ----------
     later : sequence of (time, Built)
         Systems that take over at later times (s), with the same rows: line ends have come off by then.
+    water : WaterFeed, optional
+        Gives the water, in place of the waves of the system.
     """
 
-    def __init__(self, built: Built, settings: Settings, duration: float, later: Sequence[tuple[float, Built]] = ()):
-        self.settings, self.duration = settings, float(duration)
+    def __init__(
+        self,
+        built: Built,
+        settings: Settings,
+        duration: float,
+        later: Sequence[tuple[float, Built]] = (),
+        water: WaterFeed | None = None,
+    ):
+        self.settings, self.duration, self._water = settings, float(duration), water
         self._stages = [(0.0, built), *later]
+        if water is not None:
+            self._stages = [(time, takes_water(stage, water.given)) for time, stage in self._stages]
         self._stage = 0
         self._counted = np.zeros(3, dtype=np.int64)  # by the stages before
         self._rows = 0  # output times recorded so far, time 0 included
@@ -149,6 +161,8 @@ class March:
             np.full(islands, -1, dtype=np.int64),
         )
         self.old = new_state(len(self.built.state.position))
+        if self._water is not None:
+            self._water.start(self.built.state, time)
         start_islands(self.built.system, self.built.state, self.built.work, time)
         for target, source in zip(self.old, self.built.state, strict=True):
             target[...] = source
@@ -171,6 +185,17 @@ class March:
         later = [time for time, _ in self._stages[self._stage + 1 :]]
         return min([self.duration, *later])
 
+    def _pause(self) -> float:
+        """Time that no step goes beyond: another system takes over, or the water is given anew."""
+        return self._stage_end() if self._water is None else min(self._stage_end(), self._water.end)
+
+    def _after_pause(self, time: float) -> None:
+        """Do what the march paused for at a time."""
+        if self._stage + 1 < len(self._stages) and self._stage_end() <= time:
+            self._next_stage()
+        elif self._water is not None:
+            self._water.go_on(self.built.state)
+
     @property
     def counters(self) -> dict[str, int]:
         """Steps, rejected steps and Newton iterations of all islands so far."""
@@ -190,9 +215,9 @@ class March:
             An island could not go on; `.block` holds the records up to the failure.
         """
         until, parts = min(float(until), self.duration), []
-        while self._stage + 1 < len(self._stages) and self._stages[self._stage + 1][0] < until:
-            parts.append(self._advance(self._stage_end()))
-            self._next_stage()
+        while (pause := self._pause()) < until:
+            parts.append(self._advance(pause))
+            self._after_pause(pause)
         parts.append(self._advance(until))
         return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]} if parts[1:] else parts[0]
 
@@ -200,7 +225,7 @@ class March:
         times, node_times = self._times_up_to(until)
         watched = np.array(self.settings.watch, dtype=np.int64).reshape(-1, 2)
         record = new_record(self.built.system, times, node_times, watched)
-        self.run(until, self._stage_end(), record)
+        self.run(until, self._pause(), record)
         self.time = until
         self._rows += len(times)
         self._node_rows += len(node_times)
@@ -213,6 +238,8 @@ class March:
         saved |= {f"clock_{k}": v.copy() for k, v in zip(self.clocks._fields, self.clocks, strict=True)}
         table = self.built.work.table
         saved |= {f"table_{k}": v.copy() for k, v in zip(table._fields, table, strict=True)}
+        given = self.built.system.sea.given
+        saved |= {f"given_{k}": v.copy() for k, v in zip(given._fields, given, strict=True)}
         saved["leftover"] = self.control.leftover.copy()  # made from the state at time 0
         saved["counted"] = self._counted.copy()
         saved["march"] = np.array([self.time, self._rows, self._node_rows, self._stage])
@@ -226,6 +253,7 @@ class March:
         self._counted[...] = saved["counted"]
         for prefix, target in (
             ("now", self.built.state), ("old", self.old), ("clock", self.clocks), ("table", self.built.work.table),
+            ("given", self.built.system.sea.given),
         ):  # fmt: skip
             for name, array in zip(target._fields, target, strict=True):
                 array[...] = saved[f"{prefix}_{name}"]

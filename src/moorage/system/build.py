@@ -7,9 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from moorage.layout import State, System, Work, new_state, new_work
-from moorage.model import Current as SteadyCurrent
 from moorage.model import Curve, Model, Motion
-from moorage.physics.current import Current
 from moorage.physics.morison import Morison
 from moorage.physics.motion import Tracks, no_tracks, spline_tracks
 from moorage.physics.point import PointLoads
@@ -20,7 +18,7 @@ from moorage.system.bed import build_contact, build_friction
 from moorage.system.bends import build_bending
 from moorage.system.guess import hang_chains, place_guess
 from moorage.system.holders import Holders, holders_of, release, timed_failures
-from moorage.system.sea import build_sea
+from moorage.system.sea import build_current, build_sea
 from moorage.system.segments import NodeSum, segment_table
 from moorage.system.topology import islands_of
 
@@ -101,7 +99,7 @@ def build(
         contact=build_contact(env, to_nodes(d * l)),
         friction=build_friction(model, to_nodes(d * l)),
         points=_points(model, len(holders.rest)),
-        current=_current(env.current),
+        current=build_current(env.current),
         sea=build_sea(env.waves),
         tracks=_tracks(motion, holders, clamps),
     )
@@ -150,11 +148,6 @@ def _tracks(motion: Motion | None, holders: Holders, clamps: list[np.ndarray]) -
         return no_tracks(rest)
     turning = {len(holders.rest) + k: c for k, c in enumerate(clamps) if c.ndim == 2}
     return spline_tracks(rest, motion.time, holders.moved | turning)
-
-
-def _current(current: SteadyCurrent) -> Current:
-    velocity = np.array(current.velocity, float).reshape(-1, 3)
-    return Current(np.array(current.z, float), velocity, bool(velocity.any()))
 
 
 def _tension(l, segments) -> Tension:
