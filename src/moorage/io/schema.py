@@ -52,7 +52,7 @@ SCHEMA: dict[str, dict[str, Key]] = {
         "seabed_damping": Key("number", "Pa s/m", "damping on the projected area d l of a line"),
         "friction": Key("friction", "-", "friction of the seabed"),
         "bathymetry": Key("bathymetry", "-", "depths on a rectangular grid"),
-        "current": Key("current", "-", "steady current by level"),
+        "current": Key("current", "-", "steady current by level, or over time and place"),
         "waves": Key("waves", "-", "Airy waves: components, or with `spectrum` a sea state"),
         "host_waves": Key("flag", "-", "waves come from the program that moves the mooring, or from a function"),
         "unread_water": Key("unread water", "-", "a sea as MoorDyn's options name it, which is not simulated"),
@@ -107,6 +107,20 @@ SCHEMA: dict[str, dict[str, Key]] = {
         "z": Key("numbers", "m", "levels, increasing, negative below the water", True),
         "velocity": Key("table", "m/s", "x, y and z component at each level", True),
     },
+    "current grid": {
+        "t": Key("numbers", "s", "times, increasing; left out for a current that does not change"),
+        "x": Key("numbers", "m", "increasing, along the grid's x axis; left out where it is the same everywhere"),
+        "y": Key("numbers", "m", "the same along its y axis"),
+        "z": Key("numbers", "m", "levels, increasing, negative below the water"),
+        "velocity": Key("table", "m/s", "x, y and z component at each point: z changes fastest, then y, x and t", True),
+        "turn": Key("number", "rad", "angle of the grid's axes against the model's"),
+    },
+    "current file": {
+        "file": Key("text", "-", "NetCDF file of velocities over depth, time and place, with units", True),
+        "start": Key("text", "-", "time 0 of the run as a date, such as 2020-01-31T12:00; by default the file's first"),
+        "origin": Key("numbers", "m or deg", "x and y of the model's origin in the file, or longitude and latitude"),
+        "heading": Key("number", "deg", "of the x axis, clockwise from north; 90 by default: to the east"),
+    },
     "current in words": {
         "speed": Key("number", "m/s", "at the still water level", True),
         "direction": Key("number", "deg", "where it goes, from x towards y; 0 by default"),
@@ -120,7 +134,9 @@ SCHEMA: dict[str, dict[str, Key]] = {
         "amplitude": Key("numbers", "m", "of the components", True),
         "phase": Key("numbers", "rad", "of the components: cos(w t - k x + phase)", True),
         "direction": Key("numbers", "rad", "where each component goes, from x towards y", True),
-        "stretching": Key("one of wheeler, vertical, none", "-", "of the profiles to the surface; wheeler by default"),
+        "stretching": Key(
+            "one of wheeler, vertical, linear, none", "-", "of the profiles to the surface; wheeler by default"
+        ),
         "ramp": Key("number", "s", "over which the sea grows from nothing"),
         "exact": Key("flag", "-", "sum at every evaluation; false: along the nodes' paths, 20 times in a peak period"),
     },
@@ -139,7 +155,9 @@ SCHEMA: dict[str, dict[str, Key]] = {
             "one of random, equal-energy, equal-frequency", "-", "how the spectrum is cut; random by default"
         ),
         "seed": Key("integer", "-", "of what is random; 1 by default"),
-        "stretching": Key("one of wheeler, vertical, none", "-", "of the profiles to the surface; wheeler by default"),
+        "stretching": Key(
+            "one of wheeler, vertical, linear, none", "-", "of the profiles to the surface; wheeler by default"
+        ),
         "ramp": Key("number", "s", "over which the sea grows from nothing"),
         "exact": Key("flag", "-", "sum at every evaluation; false: along the nodes' paths, 20 times in a peak period"),
     },
@@ -148,7 +166,9 @@ SCHEMA: dict[str, dict[str, Key]] = {
         "time": Key("integer", "-", "number of the time in the file, from 0; 0 by default"),
         "heading": Key("number", "deg", "of the x axis, clockwise from north; 90 by default: to the east"),
         "seed": Key("integer", "-", "of the phases and of the frequencies in their bins; 1 by default"),
-        "stretching": Key("one of wheeler, vertical, none", "-", "of the profiles to the surface; wheeler by default"),
+        "stretching": Key(
+            "one of wheeler, vertical, linear, none", "-", "of the profiles to the surface; wheeler by default"
+        ),
         "ramp": Key("number", "s", "over which the sea grows from nothing"),
         "exact": Key("flag", "-", "sum at every evaluation; false: along the nodes' paths, 20 times in a peak period"),
     },
@@ -285,7 +305,7 @@ SCHEMA: dict[str, dict[str, Key]] = {
 BY_KEY = {
     "bathymetry": {"file": "bathymetry file"},
     "waves": {"spectrum": "sea state", "file": "wave file"},
-    "current": {"speed": "current in words"},
+    "current": {"speed": "current in words", "file": "current file", "t": "current grid", "x": "current grid"},
 }
 
 
@@ -301,7 +321,8 @@ def as_markdown() -> str:
         "columns; the z of a *position* may be the word `seabed`; an *end* is a point's number or name, or `rod 1 A`.",
         "A *bathymetry* with the key `file` is a *bathymetry file*: a raster, see [the seabed](seabed.md);",
         "*waves* with the key `spectrum` are a *sea state*, with the key `file` a *wave file*, see [waves](waves.md);",
-        "a *current* with the key `speed` is a *current in words*.",
+        "a *current* with the key `speed` is a *current in words*, with `file` a *current file*, with `t` or `x` a",
+        "*current grid*.",
     ]
     for name, keys in SCHEMA.items():
         lines += ["", f"## {name}", "", "| key | value | unit | meaning | required |", "|---|---|---|---|---|"]

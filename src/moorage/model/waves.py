@@ -28,7 +28,7 @@ from moorage.model.spectra import (
     wavenumbers,
 )
 
-Stretching = Literal["wheeler", "vertical", "none"]
+Stretching = Literal["wheeler", "vertical", "linear", "none"]
 Method = Literal["random", "equal-energy", "equal-frequency"]
 
 
@@ -51,9 +51,10 @@ class Waves:
         rad/s; m; rad; rad, where a component goes, from x towards y.
     depth, gravity, density : float
         m, m/s2, kg/m3.
-    stretching : {"wheeler", "vertical", "none"}
+    stretching : {"wheeler", "vertical", "linear", "none"}
         Which level stands for z up to the surface. Wheeler: z' = h (z + h) / (h + eta) - h, as MoorDyn has it;
-        vertical: z' = min(z, 0); none: z, so that profiles grow on above the still water.
+        vertical: z' = min(z, 0); linear: the same, and above the still water velocities, accelerations and pressure go
+        on with the slope that they have there; none: z, so that profiles grow on above the still water.
     ramp : float
         Seconds over which the sea grows from nothing, as (1 - cos) / 2.
     exact : bool
@@ -220,7 +221,11 @@ class Waves:
         c, s = a * np.cos(theta), a * np.sin(theta)
         grown = self.ramped(t)
         eta = grown * c.sum(-1)
-        up, side = profiles(k, self.level(xyz[..., 2], eta)[..., None], self.depth)
+        level = self.level(xyz[..., 2], eta)
+        up, side = profiles(k, level[..., None], self.depth)
+        if self.stretching == "linear":
+            beyond = np.maximum(np.minimum(xyz[..., 2], eta), 0.0)[..., None]
+            up, side = up + k * beyond * side, side + k * beyond * up
         way = np.stack([np.cos(b), np.sin(b)], axis=-1)
         flow = (w * side * c) @ way, (-(w**2) * side * s) @ way
         rise = -(w * up * s).sum(-1), -(w**2 * up * c).sum(-1)
@@ -233,7 +238,7 @@ class Waves:
         z = np.minimum(z, eta)
         if self.stretching == "wheeler":
             z = self.depth * (z + self.depth) / (self.depth + eta) - self.depth
-        elif self.stretching == "vertical":
+        elif self.stretching in ("vertical", "linear"):
             z = np.minimum(z, 0.0)
         return np.clip(z, -self.depth, None)
 

@@ -36,7 +36,11 @@ def as_water(time: float, count: int, elevation, velocity, acceleration) -> np.n
     An elevation or acceleration of None is zero.
     """
     parts = []
-    for name, values, width in (("elevation", elevation, 1), ("velocity", velocity, 3), ("acceleration", acceleration, 3)):
+    for name, values, width in (
+        ("elevation", elevation, 1),
+        ("velocity", velocity, 3),
+        ("acceleration", acceleration, 3),
+    ):
         part = np.zeros((count, width)) if values is None else np.asarray(values, float)
         if part.size != count * width or not np.isfinite(part).all():
             wrong = "" if np.isfinite(part).all() else " with NaN or inf in it"
