@@ -95,7 +95,7 @@ class Simulation:
         return self._host.step(time, position, velocity)
 
     def water_nodes(self) -> np.ndarray:
-        """Return where the water acts, (n, 3), m: the nodes of the lines in the order of the file, points, ends of rods.
+        """Return where the water acts, (n, 3), m: nodes of the lines in the order of the file, points, ends of rods.
 
         The nodes of a line go from end A to end B and include both.
         """

@@ -25,7 +25,7 @@ def sea_words(attrs: Mapping[str, Any]) -> str:
 def current_words(current: Current | CurrentGrid) -> str:
     """Return the current at its highest and lowest level in words, or the size of its grid."""
     if hasattr(current, "shape"):  # a grid; the classes themselves would load NumPy
-        fastest = max(hypot(*row) for row in current.velocity.reshape(-1, 3).tolist())
+        fastest = max(hypot(*row) for row in current.velocity.reshape(-1, 3).tolist())  # type: ignore[union-attr]
         sizes = " by ".join(map(str, current.shape))
         return f"up to {fastest:.3g} m/s on a grid of {sizes} points in t, x, y and z".replace("  ", " ")
     speeds = [hypot(*velocity) for velocity in current.velocity]

@@ -65,8 +65,13 @@ def grid_as_plain(current: CurrentGrid) -> dict[str, Any]:
 
 
 def warn_of_deep_levels(environment: Environment) -> None:
-    """Warn of a profile whose lowest level is below the deepest seabed: its z may be depths, or of another place."""
+    """Warn of a profile whose lowest level is below the deepest seabed: its z may be depths, or of another place.
+
+    Ocean models have the same levels at all places.
+    """
     grid, current = environment.bathymetry, environment.current
+    if isinstance(current, CurrentGrid) and max(current.shape[1:3]) > 1:
+        return
     depth = max(map(max, grid.depth)) if grid else environment.water_depth
     below = -current.z[0] - depth if current.z else 0.0
     if below > 1e-3 * depth:

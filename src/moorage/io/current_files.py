@@ -71,7 +71,7 @@ def _grid(ds: xr.Dataset, path: Path, asked: Values) -> CurrentGrid:
             )
     dims = {axis: dim for dim, axis in axes.items() if axis}
     spare = [dim for dim, axis in axes.items() if not axis]
-    parts = []
+    parts: list[np.ndarray] = []
     for values in flow.values():
         if values is None:
             parts.append(np.zeros_like(parts[0]))

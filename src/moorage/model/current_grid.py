@@ -46,9 +46,9 @@ class CurrentGrid:
         c, s = np.cos(self.turn), np.sin(self.turn)
         along, across = c * xyz[..., 0] + s * xyz[..., 1], c * xyz[..., 1] - s * xyz[..., 0]
         *coordinates, _ = np.broadcast_arrays(np.asarray(t, float), along, across, xyz[..., 2], along)
-        low, high, share = zip(
-            *map(_between, (self.t, self.x, self.y, self.z), coordinates, strict=True), strict=True
-        )  # fmt: skip
+        axes = (self.t, self.x, self.y, self.z)
+        places = [_between(axis, values) for axis, values in zip(axes, coordinates, strict=True)]
+        low, high, share = zip(*places, strict=True)
         out = np.zeros((*coordinates[0].shape, 3))
         for corner in range(16):
             upper = [bool(corner >> axis & 1) for axis in range(4)]

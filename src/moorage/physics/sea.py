@@ -234,9 +234,22 @@ def record_at(p, r, t, share, scratch, out):
     out[ETA], out[ETA_T], out[ETA_X], out[ETA_Y] = eta, eta_t, eta_x, eta_y
     beyond = max(level, 0.0) if p.stretching == LINEAR else 0.0
     profile_sum(p, level - beyond, within_reach(p, level), c, s, out)
-    if beyond > 0.0:  # goes on as from a level just below the still water; what changes with z stays as it is there
-        below = BELOW / p.k[len(p.k) - 1]
-        profile_sum(p, -below, len(p.k), c, s, scratch[2])
-        for m in range(U, GRAD_A + 3):
-            if m != GRAD_U + 3 and m != GRAD_U + 4:
-                out[m] += beyond / below * (out[m] - scratch[2, m])
+    if beyond > 0.0:
+        go_beyond(p, beyond, c, s, scratch[2], out)
+
+
+@inlined
+def go_beyond(p, height, c, s, lower, out):
+    """Continue a record of the still water level up to a height (m), with the slopes that it has there."""
+    below = BELOW / p.k[len(p.k) - 1]
+    profile_sum(p, -below, len(p.k), c, s, lower)
+    for side in range(2):
+        value, g = (U, GRAD_U) if side == 0 else (A, GRAD_A)
+        out[value] += height * out[g + 3]
+        out[value + 1] += height * out[g + 4]
+        out[value + 2] -= height * (out[g] + out[g + 2])
+    # of the rest the slope is not in the record; it serves the interpolation only
+    for m in range(3):
+        out[J + m] += height / below * (out[J + m] - lower[J + m])
+        out[GRAD_U + m] += height / below * (out[GRAD_U + m] - lower[GRAD_U + m])
+        out[GRAD_A + m] += height / below * (out[GRAD_A + m] - lower[GRAD_A + m])

@@ -23,9 +23,9 @@ from moorage.physics.motion import no_tracks, sample_track, spline_tracks
 from moorage.physics.point import sample_loads
 from moorage.physics.sea import RECORD, scratch_for
 from moorage.physics.sea_table import FIELDS
+from moorage.solve.given_water import WaterFeed
 from moorage.solve.march import Block
 from moorage.system.build import Built
-from moorage.solve.given_water import WaterFeed
 from moorage.system.water import sample_water
 
 Evaluate = Callable[[Block], np.ndarray]

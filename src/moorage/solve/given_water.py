@@ -1,4 +1,4 @@
-"""Water that is given from outside the engine: by a host at the rows of the state, or by a function of time and place."""
+"""Water that is given from outside: by a host at the rows of the state, or by a function of time and place."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def takes_water(built: Built, given: Given | None = None) -> Built:
 
 
 def set_given(given: Given, now: float, values: np.ndarray, time: float) -> None:
-    """Set the water (rows, 7) at a time (s), to which it goes linearly from what it is now; at once when that is now."""
+    """Set the water (rows, 7) at a time (s), to which it goes linearly from what it is now; at once if that is now."""
     a, b = given.time
     s = min(max((now - a) / (b - a), 0.0), 1.0) if b > a else 1.0
     given.before[...] = values if time <= now else (1.0 - s) * given.before + s * given.after

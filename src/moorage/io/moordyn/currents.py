@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from itertools import pairwise
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -74,9 +75,11 @@ def read_current_grid(path: Path, found: Findings, named: Source) -> Current | C
     return _checked(dict(zip("xyzt", axes, strict=True)), np.moveaxis(velocity, 3, 0), path, found)
 
 
-def _checked(axes: dict[str, tuple[float, ...]], velocity: np.ndarray, path: Path, found: Findings):
+def _checked(axes: dict[str, Any], velocity: np.ndarray, path: Path, found: Findings):
     """Return the grid, with levels upwards; a still current, and a problem noted, when an axis does not increase."""
     source = Source(str(path))
+    if found.problems:
+        return Current()
     if axes["z"][:1] > axes["z"][-1:]:  # given from the surface down
         axes, velocity = axes | {"z": axes["z"][::-1]}, velocity[:, :, :, ::-1]
     for name, values in axes.items():
