@@ -74,7 +74,7 @@ def test_missing_files(deck, mode, file):
 def test_modes_without_files_are_refused_by_name(deck, mode):
     model = read(deck(("0.001    dtM       time step", f"0.001    dtM       time step\n{mode} WaveKin")))
     with pytest.raises(
-        UnsupportedError, match=rf"model.dat:20: waves of WaveKin {mode} are not simulated \(read: '{mode}'"
+        UnsupportedError, match=rf"model.dat:20: waves of WaveKin {mode} are not simulated yet \(read: '{mode}'"
     ):
         refuse_unbuilt(model)
 

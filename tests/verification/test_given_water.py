@@ -1,5 +1,7 @@
 """Water given from outside: by a function that `simulate` calls, and by a host at the nodes of a `Simulation`.
 
+Verifies: sea
+
 A sea that is also the model's own is sampled by a function. Between the samples it is linear, so that velocities of
 the water are off by (w D)^2 / 8 of each component, and those of the nodes by no more: with w at most 2.2 rad/s and
 mostly 0.63, an interval D = 0.1 s gives 5e-4 to 6e-3. Errors must fall with D^2. A host that sets the same values over
