@@ -15,7 +15,7 @@ def sea_words(attrs: Mapping[str, Any]) -> str:
     if "wave_asked" not in attrs:
         return ""
     count, seed = int(attrs["wave_components"]), attrs["wave_seed"]
-    if count == 1:
+    if count == 1 or str(attrs["wave_asked"]).startswith(("stokes", "stream-function")):
         return str(attrs["wave_asked"])
     achieved = f"Hs {attrs['wave_significant_height']:.3g} m, Tp {attrs['wave_peak_period']:.3g} s"
     drawn = "" if seed == "none" else f" of seed {seed}"

@@ -667,7 +667,7 @@ def test_current_is_linear_between_levels_and_constant_beyond(z):
     levels, velocity = np.array([-50.0, -20.0, 0.0]), np.array([[0.1, 0.0, 0.0], [0.5, 0.2, -0.1], [1.0, 0.0, 0.3]])
     expected = [np.interp(z, levels, velocity[:, k]) for k in range(3)]
     zero = np.zeros(1)
-    profile = Current(zero, zero, zero, levels, velocity, 1.0, 0.0, True, False)
+    profile = Current(zero, zero, zero, levels, velocity, 1.0, 0.0, True, 1)
     agree(current_at(profile, (3.0, 4.0, z), 5.0), expected, 1e-12, 1.0)
 
 

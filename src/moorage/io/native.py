@@ -15,7 +15,7 @@ from moorage.io.current_files import current_of_file
 from moorage.io.finish import checked
 from moorage.io.raster import read_bathymetry
 from moorage.io.schema import SCHEMA
-from moorage.io.sea_state import components, sea_state
+from moorage.io.sea_state import components, sea_state, tabled
 from moorage.io.text import Findings, read_text
 from moorage.io.wave_spectra import sea_of_file
 from moorage.io.yaml_nodes import NodeReader, Values
@@ -146,6 +146,8 @@ def _waves(values: Values, folder: Path, found: Findings) -> Waves | None:
         return None  # the checks of the environment tell
     if "file" in asked:
         return sea_of_file(asked, folder, water, found)
+    if "density" in asked:
+        return tabled(asked, water, found)
     if "spectrum" in asked:
         return sea_state(asked, water, found)
     return components(asked, water, found)

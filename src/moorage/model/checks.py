@@ -26,7 +26,7 @@ from moorage.model.current_grid import CurrentGrid
 from moorage.model.environment import Bathymetry, FrictionMap, StiffnessMap
 from moorage.model.model import Model
 from moorage.model.seabed import below_seabed
-from moorage.model.water_checks import current_is_possible, waves_are_given_once
+from moorage.model.water_checks import current_is_possible, steep_waves, waves_are_given_once, waves_are_possible
 
 Check = Callable[[Model], Iterator[Problem]]
 
@@ -48,7 +48,8 @@ def problems_of(model: Model) -> list[Problem]:
 
 def suspicious(model: Model) -> list[Problem]:
     """Return what can be run but is hardly meant."""
-    return pinned_junctions(model) + weak_friction(model) + points_off_the_grid(model) + anchors_over_the_bed(model)
+    doubts = (pinned_junctions, weak_friction, points_off_the_grid, anchors_over_the_bed, steep_waves)
+    return [problem for doubt in doubts for problem in doubt(model)]
 
 
 def _named(model: Model) -> Iterator[tuple[str, object, Source | None]]:
@@ -351,6 +352,7 @@ CHECKS: tuple[Check, ...] = (
     depths_are_positive,
     current_is_possible,
     waves_are_given_once,
+    waves_are_possible,
     line_types_are_possible,
     rod_types_are_possible,
     objects_are_possible,

@@ -86,7 +86,9 @@ def _waves(model: Model) -> Iterator[Problem]:
         remedy = f"remove option {waves.option}"
         if waves.option == "Currents":
             remedy = f"write {int(waves.value) - 2}, which reads the same file at all places"
-        yield Problem(f"{what} of {waves.option} {waves.value} are not simulated yet", remedy, waves.source, waves.value)
+        yield Problem(
+            f"{what} of {waves.option} {waves.value} are not simulated yet", remedy, waves.source, waves.value
+        )
 
 
 def _failures(model: Model) -> Iterator[Problem]:

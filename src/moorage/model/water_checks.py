@@ -64,3 +64,41 @@ def waves_are_given_once(model: Model) -> Iterator[Problem]:
     if environment.host_waves and environment.waves is not None:
         where = model.source_of("host_waves")
         yield Problem("waves are given by the model and by a host", "remove waves, or host_waves", where)
+
+
+def waves_are_possible(model: Model) -> Iterator[Problem]:
+    """Components have one of each, positive frequencies, and water under them."""
+    waves = model.environment.waves
+    if waves is None:
+        return
+    names = ("frequency", "amplitude", "phase", "direction", "wavenumbers", "crests")
+    counts = {name: len(getattr(waves, name)) for name in names}
+    counts = {name: count for name, count in counts.items() if count or name in names[:4]}
+    if len(set(counts.values())) > 1:
+        given = ", ".join(f"{count} of {name}" for name, count in counts.items())
+        yield Problem("components of the waves do not have one of each", "give as many of each", waves.source, given)
+    lowest = min(waves.frequency, default=1.0)
+    if not lowest > 0.0:
+        yield Problem("frequency of a wave component must be positive", "correct or remove it", waves.source, lowest)
+    if not waves.depth > 0.0:
+        yield Problem("depth of the waves must be positive", "give that of the water", waves.source, waves.depth)
+
+
+def steep_waves(model: Model) -> list[Problem]:
+    """Return a doubt about a sea that is steeper than seas are.
+
+    2 pi Hs / (g Tp^2) is at most 1/15 for Tp up to 8 s and 1/25 from 15 s on, linear between (DNV-RP-C205, 3.5.4).
+    """
+    waves = model.environment.waves
+    if waves is None or waves.is_regular:
+        return []
+    asked = dict(waves.asked)
+    height, period = asked.get("height", waves.significant_height), asked.get("period", waves.peak_period)
+    assert isinstance(height, float | int)
+    assert isinstance(period, float | int)
+    limit = float(np.interp(period, [8.0, 15.0], [1.0 / 15.0, 1.0 / 25.0]))
+    highest = limit * waves.gravity * period**2 / (2.0 * np.pi)
+    if height <= highest:
+        return []
+    what = f"a sea of Hs {height:.3g} m and Tp {period:.3g} s is steeper than seas are"
+    return [Problem(what, f"Hs is at most {highest:.3g} m there (DNV-RP-C205)", waves.source)]

@@ -25,27 +25,20 @@ class Current(NamedTuple):
     cosine: float  # of the angle of the grid's axes against the model's
     sine: float
     flows: bool  # whether any of it is not zero
-    varies: bool  # with time or place, and not with the level alone
+    corners: int  # columns of levels around a place and time: 1 for a profile, or 8
 
 
 @inlined
 def current_at(p, r, t):
     """Velocity of the water at a place and time, m/s."""
-    if p.varies:
-        return current_on_grid(p, r[0], r[1], r[2], t)
     k, s = place_on(p.z, r[2])
-    return at_level(p, 0, k, s)
-
-
-@kernel
-def current_on_grid(p, x, y, z, t):
-    """Velocity between the points of the grid around a place and time, m/s."""
-    k, s = place_on(p.z, z)
+    if p.corners == 1:
+        return at_level(p, 0, k, s)
     a, f = place_on(p.t, t)
-    i, g = place_on(p.x, p.cosine * x + p.sine * y)
-    j, h = place_on(p.y, p.cosine * y - p.sine * x)
+    i, g = place_on(p.x, p.cosine * r[0] + p.sine * r[1])
+    j, h = place_on(p.y, p.cosine * r[1] - p.sine * r[0])
     u, v, w = 0.0, 0.0, 0.0
-    for corner in range(8):
+    for corner in range(p.corners):
         da, di, dj = corner & 1, (corner >> 1) & 1, corner >> 2
         share = (f if da else 1.0 - f) * (g if di else 1.0 - g) * (h if dj else 1.0 - h)
         if share > 0.0:
@@ -54,7 +47,7 @@ def current_on_grid(p, x, y, z, t):
     return u, v, w
 
 
-@inlined
+@kernel
 def place_on(axis, value):
     """Interval of an axis that holds a value and the fraction of it, 0 outside the axis and on its last point."""
     n = len(axis)

@@ -37,7 +37,8 @@ class Given(NamedTuple):
 class Sea(NamedTuple):
     """Components (padded) of the waves, and how they are used; or water that is given."""
 
-    amplitude: np.ndarray  # (n,) m; n = 0: no waves
+    amplitude: np.ndarray  # (n,) m, of the velocity over w; n = 0: no waves
+    elevation: np.ndarray  # (n,) m, of the surface: the same for free waves, another one for harmonics of steep ones
     frequency: np.ndarray  # (n,) rad/s
     phase: np.ndarray  # (n,) rad
     k: np.ndarray  # (n,) rad/m, increasing
@@ -54,7 +55,7 @@ class Sea(NamedTuple):
 def no_sea() -> Sea:
     """Return still water."""
     none = np.zeros(0)
-    return Sea(none, none, none, none, none, none, none, 1.0, WHEELER, 0.0, 0.0, given_at(0))
+    return Sea(none, none, none, none, none, none, none, none, 1.0, WHEELER, 0.0, 0.0, given_at(0))
 
 
 def given_at(rows) -> Given:
@@ -67,7 +68,7 @@ def scratch_for(sea: Sea, *shape) -> np.ndarray:
     return np.zeros((*shape, 3, max(len(sea.k), RECORD) if len(sea.k) else 0))
 
 
-def sea_of(amplitude, frequency, phase, k, direction, depth, stretching, ramp, interval) -> Sea:
+def sea_of(amplitude, elevation, frequency, phase, k, direction, depth, stretching, ramp, interval) -> Sea:
     """Return waves of components (n,), sorted and padded."""
     order = np.argsort(k, kind="stable")
 
@@ -78,8 +79,8 @@ def sea_of(amplitude, frequency, phase, k, direction, depth, stretching, ramp, i
 
     k = np.asarray(k, float)
     return Sea(
-        padded(amplitude, 0.0), padded(frequency), padded(phase), padded(k), padded(k * np.cos(direction)),
-        padded(k * np.sin(direction)), padded(np.exp(-2.0 * k * depth)), float(depth), stretching, float(ramp),
+        padded(amplitude, 0.0), padded(elevation, 0.0), padded(frequency), padded(phase), padded(k),
+        padded(k * np.cos(direction)), padded(k * np.sin(direction)), padded(np.exp(-2.0 * k * depth)), float(depth), stretching, float(ramp),
         float(interval), given_at(0),
     )  # fmt: skip
 
@@ -138,9 +139,9 @@ def elevation_sum(p, x, y, t, c, s):
     eta, eta_t, eta_x, eta_y = 0.0, 0.0, 0.0, 0.0
     for j in range(len(p.k)):
         sine, cosine = fast_sincos(p.frequency[j] * t + p.phase[j] - p.kx[j] * x - p.ky[j] * y)
-        cosine *= p.amplitude[j]
-        sine *= p.amplitude[j]
-        c[j], s[j] = cosine, sine
+        c[j], s[j] = p.amplitude[j] * cosine, p.amplitude[j] * sine
+        cosine *= p.elevation[j]
+        sine *= p.elevation[j]
         eta += cosine
         eta_t -= p.frequency[j] * sine
         eta_x += p.kx[j] * sine
@@ -233,16 +234,16 @@ def record_at(p, r, t, share, scratch, out):
     level, _, _ = stretched(p, r[2], share * eta)
     out[ETA], out[ETA_T], out[ETA_X], out[ETA_Y] = eta, eta_t, eta_x, eta_y
     beyond = max(level, 0.0) if p.stretching == LINEAR else 0.0
-    profile_sum(p, level - beyond, within_reach(p, level), c, s, out)
+    below, count = BELOW / p.k[len(p.k) - 1], within_reach(p, level)
+    for n in range(2 if beyond > 0.0 else 1):  # one call in a loop, because it is long
+        profile_sum(p, level - beyond - n * below, count, c, s, out if n == 0 else scratch[2])
     if beyond > 0.0:
-        go_beyond(p, beyond, c, s, scratch[2], out)
+        go_beyond(beyond, below, scratch[2], out)
 
 
 @inlined
-def go_beyond(p, height, c, s, lower, out):
-    """Continue a record of the still water level up to a height (m), with the slopes that it has there."""
-    below = BELOW / p.k[len(p.k) - 1]
-    profile_sum(p, -below, len(p.k), c, s, lower)
+def go_beyond(height, below, lower, out):
+    """Continue a record of the still water level up to a height (m), by its slopes and a record a little below."""
     for side in range(2):
         value, g = (U, GRAD_U) if side == 0 else (A, GRAD_A)
         out[value] += height * out[g + 3]

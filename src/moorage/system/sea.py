@@ -18,8 +18,8 @@ def build_sea(waves: Waves | None) -> law.Sea:
     if waves is None or not np.any(waves.amplitude):
         return law.no_sea()
     return law.sea_of(
-        waves.amplitude, waves.frequency, waves.phase, waves.wavenumber, np.array(waves.direction), waves.depth,
-        STRETCHINGS[waves.stretching], waves.ramp, 0.0 if waves.exact else waves.peak_period / INTERVALS,
+        waves.amplitude, waves.elevations, waves.frequency, waves.phase, waves.wavenumber, np.array(waves.direction),
+        waves.depth, STRETCHINGS[waves.stretching], waves.ramp, 0.0 if waves.exact else waves.peak_period / INTERVALS,
     )  # fmt: skip
 
 
@@ -31,9 +31,9 @@ def build_current(current: Current | CurrentGrid) -> flow.Current:
     assert isinstance(grid, CurrentGrid)
     t, x, y, z = (np.array(axis, float) for axis in (grid.t, grid.x, grid.y, grid.z))
     velocity = np.array(grid.velocity, float).reshape(-1, 3)
-    varies = max(len(t), len(x), len(y)) > 1
+    corners = 8 if max(len(t), len(x), len(y)) > 1 else 1
     return flow.Current(
-        t, x, y, z, velocity, float(np.cos(grid.turn)), float(np.sin(grid.turn)), bool(velocity.any()), varies
+        t, x, y, z, velocity, float(np.cos(grid.turn)), float(np.sin(grid.turn)), bool(velocity.any()), corners
     )
 
 

@@ -115,6 +115,9 @@ def _waves(waves: Waves | None, path: Path, flavour: str, notes: list[str]) -> l
     if flavour == "F":
         notes.append("waves cannot be said for MoorDyn-F, which takes an elevation and a grid")
         return []
+    if waves.crests:
+        notes.append("the harmonics of a steep wave cannot be said for MoorDyn-C, whose waves are free ones")
+        return []
     for name, value in (("a ramp", waves.ramp), (f"{waves.stretching} stretching", waves.stretching != "wheeler")):
         if value:
             notes.append(f"{name} of the waves cannot be said for MoorDyn-C")
