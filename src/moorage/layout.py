@@ -155,7 +155,7 @@ def copy_of(state: State) -> State:
 
 def new_table(system: System, rows: int) -> Table:
     """Return an empty table of waves."""
-    islands, n = len(system.islands.line_ptr) - 1, len(system.sea.k)
+    islands, n = len(system.islands.line_ptr) - 1, system.sea.parts.shape[1]
     rows = rows if n else 0
     return Table(
         np.zeros(islands, dtype=np.int64), np.zeros((rows, 3)), np.zeros((rows, 3)), np.zeros((rows, RECORD)),

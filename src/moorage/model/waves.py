@@ -92,7 +92,7 @@ class Waves:
     ) -> Waves:
         """Return one regular wave of a height (m, crest to trough) and a period (s)."""
         return cls(
-            frequency=(2.0 * np.pi / period,), amplitude=(0.5 * height,), phase=(phase,), direction=(direction,),
+            frequency=(2.0 * np.pi / period,), amplitude=(0.5 * height,), phase=(float(phase),), direction=(float(direction),),
             depth=depth, asked=(("spectrum", "regular"), ("height", height), ("period", period)), **water,
         )  # fmt: skip
 
@@ -119,7 +119,7 @@ class Waves:
         count = len(found.frequency)
         return cls(
             frequency=_tuple(found.frequency), amplitude=_tuple(found.amplitude),
-            phase=_tuple(phase * np.arange(1, count + 1)), direction=(direction,) * count,
+            phase=_tuple(phase * np.arange(1, count + 1)), direction=(float(direction),) * count,
             wavenumbers=_tuple(found.wavenumber), crests=_tuple(found.elevation), depth=depth,
             asked=(("spectrum", theory), ("height", height), ("period", period), ("order", count)), **water,
         )  # fmt: skip
@@ -178,7 +178,7 @@ class Waves:
     @classmethod
     def drawn(
         cls,
-        density: Spectrum,
+        spectrum: Spectrum,
         reach: tuple[float, float],
         asked: dict[str, float | str],
         direction: float = 0.0,
@@ -193,7 +193,7 @@ class Waves:
         `asked` is what it was made from, for the record.
         """
         random = np.random.default_rng(seed)
-        frequency, amplitude = cut(density, *reach, components, method, random)
+        frequency, amplitude = cut(spectrum, *reach, components, method, random)
         phase = random.random(components) * 2.0 * np.pi
         heading = np.full(components, direction)
         if spreading is not None:

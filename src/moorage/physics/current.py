@@ -17,46 +17,53 @@ from moorage.physics.table import interval
 class Current(NamedTuple):
     """Points of the grid and velocities."""
 
-    t: np.ndarray  # (nt,) increasing, s
-    x: np.ndarray  # (nx,) increasing, m, along the grid's own axes
-    y: np.ndarray  # (ny,)
-    z: np.ndarray  # (nz,) increasing, m
+    points: np.ndarray  # (nz + nt + nx + ny,) increasing levels, m; times, s; x and y, m, along the grid's own axes
     velocity: np.ndarray  # (nt nx ny nz, 3) m/s in the model's axes, z changes fastest
+    nz: int
+    nt: int
+    nx: int
+    ny: int
     cosine: float  # of the angle of the grid's axes against the model's
     sine: float
     flows: bool  # whether any of it is not zero
-    corners: int  # columns of levels around a place and time: 1 for a profile, or 8
+
+
+def current_of(t, x, y, z, velocity, turn: float = 0.0) -> Current:
+    """Return the current of a grid (nt,), (nx,), (ny,), (nz,) with velocities (nt, nx, ny, nz, 3)."""
+    points = np.concatenate([np.asarray(axis, float) for axis in (z, t, x, y)])
+    velocity = np.array(velocity, float).reshape(-1, 3)
+    turned = float(np.cos(turn)), float(np.sin(turn))
+    return Current(points, velocity, len(z), len(t), len(x), len(y), *turned, bool(velocity.any()))
 
 
 @inlined
 def current_at(p, r, t):
     """Velocity of the water at a place and time, m/s."""
-    k, s = place_on(p.z, r[2])
-    if p.corners == 1:
+    k, s = place_on(p.points, 0, p.nz, r[2])
+    if p.nt + p.nx + p.ny == 3:  # one profile for all
         return at_level(p, 0, k, s)
-    a, f = place_on(p.t, t)
-    i, g = place_on(p.x, p.cosine * r[0] + p.sine * r[1])
-    j, h = place_on(p.y, p.cosine * r[1] - p.sine * r[0])
+    a, f = place_on(p.points, p.nz, p.nt, t)
+    i, g = place_on(p.points, p.nz + p.nt, p.nx, p.cosine * r[0] + p.sine * r[1])
+    j, h = place_on(p.points, p.nz + p.nt + p.nx, p.ny, p.cosine * r[1] - p.sine * r[0])
     u, v, w = 0.0, 0.0, 0.0
-    for corner in range(p.corners):
+    for corner in range(8 if p.nt > 0 else 0):  # a count that the compiler does not know, so that it stays a loop
         da, di, dj = corner & 1, (corner >> 1) & 1, corner >> 2
         share = (f if da else 1.0 - f) * (g if di else 1.0 - g) * (h if dj else 1.0 - h)
         if share > 0.0:
-            flow = at_level(p, (((a + da) * len(p.x) + i + di) * len(p.y) + j + dj) * len(p.z), k, s)
+            flow = at_level(p, (((a + da) * p.nx + i + di) * p.ny + j + dj) * p.nz, k, s)
             u, v, w = u + share * flow[0], v + share * flow[1], w + share * flow[2]
     return u, v, w
 
 
 @kernel
-def place_on(axis, value):
+def place_on(points, begin, n, value):
     """Interval of an axis that holds a value and the fraction of it, 0 outside the axis and on its last point."""
-    n = len(axis)
-    if n < 2 or value <= axis[0]:
+    if n < 2 or value <= points[begin]:
         return 0, 0.0
-    if value >= axis[n - 1]:
+    if value >= points[begin + n - 1]:
         return n - 1, 0.0
-    k = interval(axis, 0, n, value)
-    return k, (value - axis[k]) / (axis[k + 1] - axis[k])
+    k = interval(points, begin, begin + n, value)
+    return k - begin, (value - points[k]) / (points[k + 1] - points[k])
 
 
 @inlined

@@ -9,25 +9,30 @@ import numpy as np
 
 from moorage.errors import SimulationError
 from moorage.layout import State
-from moorage.physics.sea import WATER, Given, given_at, no_sea
+from moorage.physics.sea import WATER, given_at, no_sea
 from moorage.system.build import Built
 
 WaterFunction = Callable[[float, np.ndarray], Any]
 
 
-def takes_water(built: Built, given: Given | None = None) -> Built:
+def takes_water(built: Built, given: np.ndarray | None = None) -> Built:
     """Return a system whose water is given, still until it is set; `given` is shared with another one."""
     given = given_at(len(built.state.position)) if given is None else given
     return built._replace(system=built.system._replace(sea=no_sea()._replace(given=given)))
 
 
-def set_given(given: Given, now: float, values: np.ndarray, time: float) -> None:
+def times_of(given: np.ndarray) -> np.ndarray:
+    """Return the two times (2,) of given water, s, as a view."""
+    return given[:, -1, 0]
+
+
+def set_given(given: np.ndarray, now: float, values: np.ndarray, time: float) -> None:
     """Set the water (rows, 7) at a time (s), to which it goes linearly from what it is now; at once if that is now."""
-    a, b = given.time
+    a, b = times_of(given)
     s = min(max((now - a) / (b - a), 0.0), 1.0) if b > a else 1.0
-    given.before[...] = values if time <= now else (1.0 - s) * given.before + s * given.after
-    given.after[...] = values
-    given.time[...] = now, time
+    given[0, :-1] = values if time <= now else (1.0 - s) * given[0, :-1] + s * given[1, :-1]
+    given[1, :-1] = values
+    times_of(given)[...] = now, time
 
 
 def as_water(time: float, count: int, elevation, velocity, acceleration) -> np.ndarray:
@@ -75,12 +80,11 @@ class WaterFeed:
     @property
     def end(self) -> float:
         """Time at which the present interval ends, s."""
-        return float(self.given.time[1])
+        return float(times_of(self.given)[1])
 
     def start(self, state: State, time: float) -> None:
         """Fill the interval that begins at a time, s."""
-        self.given.time[...] = time, time
-        self.given.after[...] = self.sample(time, state.position)
+        set_given(self.given, time, self.sample(time, state.position), time)
         self.go_on(state)
 
     def go_on(self, state: State) -> None:

@@ -105,7 +105,7 @@ class HostMarch:
         given, time = self.built.system.sea.given, self.time if time is None else float(time)
         if not time >= self.time:
             raise SimulationError(f"set_water() at {time} s, but the run is at {self.time:g} s", self.time)
-        values = as_water(self.time, len(given.before), elevation, velocity, acceleration)
+        values = as_water(self.time, given.shape[1] - 1, elevation, velocity, acceleration)
         set_given(given, self.time, values, time)
         if time == self.time:  # the forces jump, and with them the accelerations
             start_islands(self.built.system, self.built.state, self.built.work, self.time)

@@ -238,8 +238,7 @@ class March:
         saved |= {f"clock_{k}": v.copy() for k, v in zip(self.clocks._fields, self.clocks, strict=True)}
         table = self.built.work.table
         saved |= {f"table_{k}": v.copy() for k, v in zip(table._fields, table, strict=True)}
-        given = self.built.system.sea.given
-        saved |= {f"given_{k}": v.copy() for k, v in zip(given._fields, given, strict=True)}
+        saved["given"] = self.built.system.sea.given.copy()
         saved["leftover"] = self.control.leftover.copy()  # made from the state at time 0
         saved["counted"] = self._counted.copy()
         saved["march"] = np.array([self.time, self._rows, self._node_rows, self._stage])
@@ -253,10 +252,10 @@ class March:
         self._counted[...] = saved["counted"]
         for prefix, target in (
             ("now", self.built.state), ("old", self.old), ("clock", self.clocks), ("table", self.built.work.table),
-            ("given", self.built.system.sea.given),
         ):  # fmt: skip
             for name, array in zip(target._fields, target, strict=True):
                 array[...] = saved[f"{prefix}_{name}"]
+        self.built.system.sea.given[...] = saved["given"]
         self.control.leftover[...] = saved["leftover"]
         self.time, self._rows, self._node_rows = (
             float(saved["march"][0]),

@@ -29,12 +29,7 @@ def build_current(current: Current | CurrentGrid) -> flow.Current:
     if isinstance(current, Current):
         grid = CurrentGrid(z=current.z, velocity=np.array(current.velocity, float))
     assert isinstance(grid, CurrentGrid)
-    t, x, y, z = (np.array(axis, float) for axis in (grid.t, grid.x, grid.y, grid.z))
-    velocity = np.array(grid.velocity, float).reshape(-1, 3)
-    corners = 8 if max(len(t), len(x), len(y)) > 1 else 1
-    return flow.Current(
-        t, x, y, z, velocity, float(np.cos(grid.turn)), float(np.sin(grid.turn)), bool(velocity.any()), corners
-    )
+    return flow.current_of(grid.t, grid.x, grid.y, grid.z, grid.velocity, grid.turn)
 
 
 def with_interval(sea: law.Sea, step: float | None) -> law.Sea:

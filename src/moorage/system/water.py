@@ -8,14 +8,14 @@ from moorage._jit import inlined, kernel
 from moorage._vec3 import get
 from moorage.layout import line_nodes, point_row
 from moorage.physics.current import current_at
-from moorage.physics.sea import ETA, A, U, grown, record_at
+from moorage.physics.sea import ETA, A, U, count, given_water, grown, is_given, record_at
 from moorage.physics.sea_table import FIELDS, look_up, set_row, step_path
 
 
 @kernel
 def set_water(lines, islands, sea, current, table, state, island, t):
     """Set elevation, velocity and acceleration of the water at all rows of an island at time t, if it moves."""
-    if len(sea.k) == 0 and len(sea.given.before) == 0 and not current.flows:
+    if count(sea) == 0 and not is_given(sea) and not current.flows:
         return
     share = grown(sea, t)[0]
     for m in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
@@ -31,12 +31,9 @@ def set_water(lines, islands, sea, current, table, state, island, t):
 def water_at_row(sea, current, table, position, water, island, i, t, share):
     """Set the water of one row; share: of the sea that has grown."""
     r, out = get(position, i), water[i]
-    if len(sea.given.before) > 0:
-        a, b = sea.given.time[0], sea.given.time[1]
-        s = (t - a) / (b - a) if a < t < b else (0.0 if t < b else 1.0)
-        for c in range(FIELDS):
-            out[c] = (1.0 - s) * sea.given.before[i, c] + s * sea.given.after[i, c]
-    elif len(sea.k) == 0:
+    if is_given(sea):
+        given_water(sea, i, t, out)
+    elif count(sea) == 0:
         for c in range(FIELDS):
             out[c] = 0.0
     elif sea.interval > 0.0:
@@ -78,7 +75,7 @@ def sample_water(system, time, position, scratch, record, out):
     for row in range(len(time)):
         for c in range(FIELDS):
             out[row, c] = 0.0
-        if len(system.sea.k) > 0:
+        if count(system.sea) > 0:
             sum_of_waves(system.sea, get(position, row), time[row], scratch, record, out[row])
         add_current(system.current, get(position, row), time[row], out[row])
 
@@ -86,7 +83,7 @@ def sample_water(system, time, position, scratch, record, out):
 @kernel
 def start_table(lines, islands, sea, table, position, velocity, island, t):
     """Fill the table of an island for the interval that begins at or before time t."""
-    if len(sea.k) > 0 and sea.interval > 0.0:
+    if count(sea) > 0 and sea.interval > 0.0:
         table.number[island] = math.floor(t / sea.interval + 1e-9) - 2
         for _ in range(2):  # first for the sums where the interval begins
             next_interval(lines, islands, sea, table, position, velocity, island, t)
@@ -95,7 +92,7 @@ def start_table(lines, islands, sea, table, position, velocity, island, t):
 @inlined
 def table_end(sea, table, island):
     """Time at which the interval of an island ends, s; infinity without a table."""
-    if len(sea.k) == 0 or sea.interval == 0.0:
+    if count(sea) == 0 or sea.interval == 0.0:
         return math.inf
     return (table.number[island] + 1) * sea.interval
 

@@ -48,14 +48,14 @@ def read_water(values: dict[str, Value], around: Surroundings) -> Water:
         return _water_file(values["WaterKin"], around)
     found = around.found
     mode, kind = _mode(values, "WaveKin", _WAVE_MODES, found), _mode(values, "Currents", _CURRENT_MODES, found)
+    if mode in (4, 5, 6):
+        source = values["WaveKin"].source
+        settings = tuple((name, values[name].word) for name in ("Currents", "dtWave") if name in values)
+        return Water(unread=UnreadWater(option="WaveKin", value=str(mode), settings=settings, source=source))
     current: Current | CurrentGrid = Current()
     if kind in _CURRENT_FILES:
         name, read = _CURRENT_FILES[kind]
         current = read(around.folder / name, found, values["Currents"].source)
-    if mode in (4, 5, 6):
-        source = values["WaveKin"].source
-        settings = tuple((name, values[name].word) for name in ("Currents", "dtWave") if name in values)
-        return Water(None, current, UnreadWater(option="WaveKin", value=str(mode), settings=settings, source=source))
     unread = None
     if kind in (3, 4):
         source = values["Currents"].source
