@@ -100,6 +100,31 @@ def test_gradients_are_derivatives(stretching):
         assert np.abs(column - here[:, expected]).max() < 1e-6
 
 
+def check_field_is_free(stretching: str) -> None:
+    """Divergence and rotation of what `kinematics` samples, by differences of 2 mm, good to (k d)^2 / 6 = 2e-7."""
+    sea, d = Waves(**SEA.__dict__ | {"stretching": stretching}), 1e-3
+    places = PLACES[PLACES[:, 2] < np.minimum(sea.elevation(33.3, PLACES[:, 0], PLACES[:, 1]), 0.0) - 0.1]
+
+    def along(axis: int) -> np.ndarray:
+        step = np.eye(3)[axis] * d
+        return (sea.kinematics(33.3, places + step).velocity - sea.kinematics(33.3, places - step).velocity) / (2.0 * d)
+
+    dx, dy, dz = (along(axis) for axis in range(3))
+    assert np.abs(dx[:, 0] + dy[:, 1] + dz[:, 2]).max() < 1e-6
+    for left, right in ((dz[:, 0], dx[:, 2]), (dz[:, 1], dy[:, 2]), (dy[:, 0], dx[:, 1])):
+        assert np.abs(left - right).max() < 1e-6
+
+
+@pytest.mark.parametrize("stretching", ["none", "linear", "vertical"])
+def test_the_sampled_field_has_neither_sources_nor_rotation(stretching):
+    check_field_is_free(stretching)
+
+
+def test_a_stretched_field_is_not_free():
+    """Wheeler's levels move with the surface, and the profile with them."""
+    must_fail(check_field_is_free, "wheeler")
+
+
 def test_one_wave():
     """Phase speed, amplitudes at the surface and at the bed, and pressure at the bed rho g A / cosh kh."""
     wave = Waves.regular(2.0, 9.0, depth=30.0, direction=0.7)
