@@ -292,4 +292,5 @@ def _layout(
     index = make_index(model, built.names)
     bending = bending_of(model, built, index.allowed_bend_radius)
     outputs = plan_outputs(model, built, motion, water)
-    return Layout(index, outputs, node_time, bending, seabed_of(model, built), model.environment.waves, static or {})
+    sea = water or model.environment.waves
+    return Layout(index, outputs, node_time, bending, seabed_of(model, built), sea, static or {})

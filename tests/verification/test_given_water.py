@@ -72,6 +72,13 @@ def test_error_falls_with_the_square_of_the_interval(truth):
     assert 1.7 < rate(intervals, [error(truth, interval) for interval in intervals]) < 2.3
 
 
+def test_results_hold_its_elevation_and_name(truth):
+    found = by_function(0.1)
+    assert found["wave_elevation"].values == pytest.approx(truth["wave_elevation"].values, abs=1e-12)
+    assert found.attrs["water"] == "Waves.kinematics"
+    assert found.attrs["water_interval"] == 0.1
+
+
 def test_channels_of_points_feel_it(truth):
     found = by_function(0.1)
     assert rms(found["POINT2FX"] - truth["POINT2FX"]) < 2e-3 * rms(truth["POINT2FX"])

@@ -92,8 +92,9 @@ class Waves:
     ) -> Waves:
         """Return one regular wave of a height (m, crest to trough) and a period (s)."""
         return cls(
-            frequency=(2.0 * np.pi / period,), amplitude=(0.5 * height,), phase=(float(phase),), direction=(float(direction),),
-            depth=depth, asked=(("spectrum", "regular"), ("height", height), ("period", period)), **water,
+            frequency=(2.0 * np.pi / period,), amplitude=(0.5 * height,), phase=(float(phase),),
+            direction=(float(direction),), depth=depth,
+            asked=(("spectrum", "regular"), ("height", height), ("period", period)), **water,
         )  # fmt: skip
 
     @classmethod

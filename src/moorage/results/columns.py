@@ -13,6 +13,7 @@ from moorage.results.channels import Output
 from moorage.results.index import Index
 from moorage.results.sea import ELEVATION, sea_columns
 from moorage.results.seabed import UPLIFT, Seabed
+from moorage.solve.given_water import WaterFeed
 from moorage.solve.march import Block
 from moorage.variables import VARIABLES, attributes
 
@@ -48,7 +49,7 @@ class Layout:
         For models with cables: what their columns need.
     seabed : Seabed or None
         For models with friction or bathymetry: what their columns need.
-    waves : Waves or None
+    waves : Waves, WaterFeed or None
         The sea, where there is one.
     static : mapping of str to (lines,) float
         Tensions of the static solution that a run starts from.
@@ -59,7 +60,7 @@ class Layout:
     node_time: str = "time"
     bending: Bending | None = None
     seabed: Seabed | None = None
-    waves: Waves | None = None
+    waves: Waves | WaterFeed | None = None
     static: Mapping[str, np.ndarray] = field(default_factory=dict)
 
     @property

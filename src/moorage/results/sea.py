@@ -8,6 +8,7 @@ import numpy as np
 
 from moorage.errors import ModelWarning
 from moorage.model import Current, CurrentGrid, Waves
+from moorage.solve.given_water import WaterFeed
 
 ELEVATION = ("wave_elevation",)
 
@@ -26,7 +27,7 @@ def sea_attributes(waves: Waves | None) -> dict[str, object]:
     }
 
 
-def sea_columns(waves: Waves, time: np.ndarray) -> dict[str, np.ndarray]:
+def sea_columns(waves: Waves | WaterFeed, time: np.ndarray) -> dict[str, np.ndarray]:
     """Return the columns of a sea at times (n,) s."""
     return {"wave_elevation": waves.elevation(time)}
 

@@ -93,6 +93,10 @@ class WaterFeed:
         there = state.position + self.interval * state.velocity
         set_given(self.given, self.end, self.sample(time, there), time)
 
+    def elevation(self, times: np.ndarray) -> np.ndarray:
+        """Return the elevation at the origin (n,), m, at times (n,) s."""
+        return np.array([self.sample(time, np.zeros((1, 3)))[0, 0] for time in times.tolist()])
+
     def sample(self, time: float, places: np.ndarray) -> np.ndarray:
         """Return the water (n, 7) at a time and places (n, 3)."""
         elevation, velocity, acceleration = tuple(self.function(time, places.copy()))[:3]

@@ -42,6 +42,8 @@ class HostMarch:
         self._component = (3 * row[built.system.lines.end_point.ravel(), None] + np.arange(3)).ravel()
         self._record = new_record(built.system, np.zeros(1), np.zeros(0), np.zeros((0, 2), dtype=np.int64))
         self.built = with_motion(built, self._tracks)
+        holders = np.arange(len(built.state.position) - built.names.node_ptr[-1])
+        self._held = np.setdiff1d(holders, built.system.islands.points)  # whose rows of the state are not used
         self.settings = settings or Settings()
         self.position = self._tracks.rest[coupled].copy()  # (m, 3) of the coupled points now
         self.velocity = np.zeros_like(self.position)
@@ -91,10 +93,7 @@ class HostMarch:
         """Return where the host has to say what the water does, (rows, 3), m: every row of the state."""
         places = self.built.state.position.copy()
         first = self.built.names.node_ptr[-1]
-        free = self.built.system.islands.points
-        rest = self._tracks.rest[: len(places) - first]
-        held = np.setdiff1d(np.arange(len(rest)), free)
-        places[first + held] = rest[held]
+        places[first + self._held] = self._tracks.rest[self._held]
         places[first + self.built.coupled] = self.position
         return places
 
