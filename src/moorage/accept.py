@@ -23,6 +23,22 @@ def accept(model: Model) -> None:
         warnings.warn(str(problem), ModelWarning, stacklevel=3)
 
 
+def check_water(model: Model, water: object, interval: float) -> None:
+    """Refuse waves that are given twice, or that nobody gives."""
+    environment, problems = model.environment, []
+    if water is not None and environment.waves is not None:
+        remedy = "remove them from the model, or leave water out"
+        problems.append(Problem("the model has waves of its own, and water is given", remedy, environment.waves.source))
+    if water is not None and not (isinstance(interval, int | float) and 0.0 < interval < np.inf):
+        problems.append(Problem("water_interval must be a positive number", "correct it", value=interval))
+    if water is None and environment.host_waves:
+        remedy = "give simulate() a function as water, or use Simulation with set_water()"
+        where = model.source_of("host_waves")
+        problems.append(Problem("the model has its waves from a host, and there is none", remedy, where))
+    if problems:
+        raise InputError(problems)
+
+
 def check_settings(chosen: dict[str, object], resume: bool, output: object) -> None:
     """Refuse settings of a run that mean nothing, all in one error."""
     problems = []

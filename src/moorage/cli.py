@@ -297,6 +297,9 @@ def animate(
     with console.work_bar("frames") as progress:
         made = moorage.plot.animate(moorage.open_result(result), output, speed=speed, fps=fps, progress=progress)
     console.out.print(f"film {made}", markup=False, soft_wrap=True)
+
+
+@app.command()
 def vtk(
     result: ResultFile,
     output: Annotated[Path | None, typer.Option("-o", metavar="FOLDER", help="Folder (default: RESULT-vtk).")] = None,

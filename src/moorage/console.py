@@ -228,7 +228,7 @@ def model_summary(model: Model, sea: Mapping[str, Any]) -> None:
         "title": model.title,
         "water": f"depth {model.environment.water_depth:g} m, density {model.environment.water_density:g} kg/m3, "
         f"gravity {model.environment.gravity:g} m/s2",
-        "waves": sea_words(sea),
+        "waves": "from a host, or a function" if model.environment.host_waves else sea_words(sea),
         "current": current_words(model.environment.current),
         "seabed": seabed_words(model.environment),
         "lines": f"{len(model.lines)}, {sum(line.segments for line in model.lines)} segments, "

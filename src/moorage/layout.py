@@ -35,7 +35,7 @@ from moorage.physics.morison import Morison
 from moorage.physics.motion import Tracks
 from moorage.physics.point import PointLoads
 from moorage.physics.rigid import RigidLoads
-from moorage.physics.sea import RECORD, Sea
+from moorage.physics.sea import RECORD, Sea, scratch_for
 from moorage.physics.sea_table import FIELDS, TERMS
 from moorage.physics.tension import Tension
 from moorage.physics.weight import Weight
@@ -157,7 +157,7 @@ class Table(NamedTuple):
     before: np.ndarray  # (rows, RECORD) the sums there
     after: np.ndarray  # (rows, RECORD)
     terms: np.ndarray  # (rows, FIELDS, TERMS) coefficients of the interval
-    scratch: np.ndarray  # (islands, 2, components)
+    scratch: np.ndarray  # (islands, ...) for the sums, see `physics.sea.scratch_for`
 
 
 class Blocks(NamedTuple):
@@ -212,11 +212,11 @@ def copy_of(state: State) -> State:
 
 def new_table(system: System, rows: int) -> Table:
     """Return an empty table of waves."""
-    islands, n = len(system.islands.line_ptr) - 1, len(system.sea.k)
+    islands, n = len(system.islands.line_ptr) - 1, system.sea.parts.shape[1]
     rows = rows if n else 0
     return Table(
         np.zeros(islands, dtype=np.int64), np.zeros((rows, 3)), np.zeros((rows, 3)), np.zeros((rows, RECORD)),
-        np.zeros((rows, RECORD)), np.zeros((rows, FIELDS, TERMS)), np.zeros((islands, 2, n)),
+        np.zeros((rows, RECORD)), np.zeros((rows, FIELDS, TERMS)), scratch_for(system.sea, islands),
     )  # fmt: skip
 
 

@@ -13,7 +13,7 @@ import numpy as np
 import xarray as xr
 
 from moorage._jit import mark_warm
-from moorage.accept import accept, check_settings
+from moorage.accept import accept, check_settings, check_water
 from moorage.at_rest import records_at_rest, static_tensions
 from moorage.errors import ModelWarning, SimulationError
 from moorage.model import Attachment, Environment, Line, LineType, Model, Motion, OutputChannel, Point, Section
@@ -35,12 +35,14 @@ from moorage.results import (
     static_dataset,
     warn_of_lines_off_the_grid,
     warn_of_repetition,
+    warn_of_short_current,
     warn_of_tight_bends,
     watch_list,
 )
 from moorage.results.carried import carried_of
 from moorage.simulation import Simulation
 from moorage.solve.clamps import warn_of_clamps
+from moorage.solve.given_water import WaterFeed, WaterFunction
 from moorage.solve.march import March, Settings, default_tolerance
 from moorage.solve.statics import rest, solve
 from moorage.solve.stiffness import platform_stiffness
@@ -96,6 +98,8 @@ def simulate(
     method: Literal["implicit", "rk2", "rk4"] = "implicit",
     start: Literal["static", "as-given"] | None = None,
     save: Literal["all", "tensions"] = "all",
+    water: WaterFunction | None = None,
+    water_interval: float = 0.1,
     output: str | Path | None = None,
     resume: bool = False,
     progress: Progress | None = None,
@@ -124,6 +128,12 @@ def simulate(
         State at time 0: static equilibrium, or lines at rest on their first catenary; by default what the model says.
     save : {"all", "tensions"}
         Whether node and segment histories are kept.
+    water : callable, optional
+        Gives the waves, in place of those of the model: of a time (s) and places (n, 3) m it returns elevation (n,) m,
+        velocity (n, 3) m/s and local acceleration (n, 3) m/s2. The current of the model is added.
+    water_interval : float
+        Between the times at which `water` is called, s; between them the water is linear in time. It is called for
+        where the nodes will be then.
     output : path, optional
         A NetCDF file that grows while the run goes on; the dataset returned is then read from it when used.
     resume : bool
@@ -158,9 +168,13 @@ def simulate(
         "start": model.start if start is None else start,
         "save": save,
     }
+    if water is not None:
+        chosen |= {"water": getattr(water, "__qualname__", type(water).__qualname__), "water_interval": water_interval}
     check_settings(chosen, resume, output)
     accept(model)
+    check_water(model, water, water_interval)
     warn_of_repetition(model.environment.waves, duration)
+    warn_of_short_current(model.environment.current, duration)
     settings = _settings(model, chosen)
     rows = _rows(duration, settings)
     _warn_of_rest(duration, (rows["time"] - 1) * settings.dt_out, settings.dt_out)
@@ -172,9 +186,10 @@ def simulate(
         (solve if chosen["start"] == "static" else rest)(built)
         static = static_tensions(built) if chosen["start"] == "static" else {}
         warn_of_clamps(built)
-    layout = _layout(model, built, _node_dimension(settings), motion, static)
+    feed = None if water is None else WaterFeed(water, float(water_interval), len(built.state.position))
+    layout = _layout(model, built, _node_dimension(settings), motion, static, feed)
     releases = releases_of(model, motion, duration)
-    march = March(built, settings, (rows["time"] - 1) * settings.dt_out, releases)
+    march = March(built, settings, (rows["time"] - 1) * settings.dt_out, releases, feed)
     if saved is not None:
         march.restore(saved.state)
     words = {
@@ -288,9 +303,10 @@ def _layout(
     node_time: str,
     motion: Motion | None = None,
     static: Mapping[str, np.ndarray] | None = None,
+    water: WaterFeed | None = None,
 ) -> Layout:
     index = make_index(model, built.names)
     bending = bending_of(model, built, index.allowed_bend_radius)
-    outputs = plan_outputs(model, built, motion)
-    seabed, waves = seabed_of(model, built), model.environment.waves
-    return Layout(index, outputs, node_time, bending, seabed, waves, carried_of(model), static or {})
+    outputs = plan_outputs(model, built, motion, water)
+    seabed, sea = seabed_of(model, built), water or model.environment.waves
+    return Layout(index, outputs, node_time, bending, seabed, sea, carried_of(model), static or {})

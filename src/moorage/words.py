@@ -7,7 +7,7 @@ from math import hypot
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from moorage.model import Current, Environment
+    from moorage.model import Current, CurrentGrid, Environment
 
 
 def sea_words(attrs: Mapping[str, Any]) -> str:
@@ -15,15 +15,19 @@ def sea_words(attrs: Mapping[str, Any]) -> str:
     if "wave_asked" not in attrs:
         return ""
     count, seed = int(attrs["wave_components"]), attrs["wave_seed"]
-    if count == 1:
+    if count == 1 or str(attrs["wave_asked"]).startswith(("stokes", "stream-function")):
         return str(attrs["wave_asked"])
     achieved = f"Hs {attrs['wave_significant_height']:.3g} m, Tp {attrs['wave_peak_period']:.3g} s"
     drawn = "" if seed == "none" else f" of seed {seed}"
     return f"{attrs['wave_asked']}; achieved {achieved} with {count} components{drawn}"
 
 
-def current_words(current: Current) -> str:
-    """Return the current at its highest and lowest level in words."""
+def current_words(current: Current | CurrentGrid) -> str:
+    """Return the current at its highest and lowest level in words, or the size of its grid."""
+    if hasattr(current, "shape"):  # a grid; the classes themselves would load NumPy
+        fastest = max(hypot(*row) for row in current.velocity.reshape(-1, 3).tolist())  # type: ignore[union-attr]
+        sizes = " by ".join(map(str, current.shape))
+        return f"up to {fastest:.3g} m/s on a grid of {sizes} points in t, x, y and z".replace("  ", " ")
     speeds = [hypot(*velocity) for velocity in current.velocity]
     if not any(speeds):
         return ""

@@ -70,7 +70,9 @@ def wedge(arc) -> np.ndarray:
 
 def study(case: Case) -> dict[str, xr.Dataset]:
     """Return the runs of a case with each law."""
-    return {name: ours(case.model(law), case.motion(case.duration), case.duration, 1.0)[0] for name, law in LAWS.items()}
+    return {
+        name: ours(case.model(law), case.motion(case.duration), case.duration, 1.0)[0] for name, law in LAWS.items()
+    }
 
 
 def grounded(ds: xr.Dataset) -> np.ndarray:
@@ -100,9 +102,17 @@ def part(case: Case, effort: Effort) -> Part:
             numbers[name]["fairlead"][f"{at:g}"] = float(fairlead(ds)[k])
             rows.append((name, f"{at:g}", *(f"{v:.2f}" for v in moved[k]), *(f"{v:.1f}" for v in tension[k]),
                          f"{fairlead(ds)[k]:.1f}"))  # fmt: skip
-    header = ("friction", "time, s", *(f"node {n} moved, m" for n in NODES), *(f"node {n}, kN" for n in NODES), "fairlead, kN")
+    header = (
+        "friction",
+        "time, s",
+        *(f"node {n} moved, m" for n in NODES),
+        *(f"node {n}, kN" for n in NODES),
+        "fairlead, kN",
+    )
     apart = {f"{start:g}": differences(runs, start).tolist() for start in (0.5 * case.duration, 0.75 * case.duration)}
-    apart_rows = [(f"{start} to {case.duration:g}", *(f"{100 * v:.1f} %" for v in values)) for start, values in apart.items()]
+    apart_rows = [
+        (f"{start} to {case.duration:g}", *(f"{100 * v:.1f} %" for v in values)) for start, values in apart.items()
+    ]
     words = {
         key: table(header, rows),
         f"{key}_apart": table(("seconds", *(f"node {n}" for n in NODES)), apart_rows),

@@ -59,7 +59,9 @@ def friction_in_wind_and_waves(effort: Effort) -> Part:
     for name, ds in list(runs["waves"].items())[1:]:
         tension = node_tension(ds, NODES)[node_time(ds) >= COUNTED["waves"] - 1e-6]
         numbers["figure-8"][name] = tension.mean(axis=0).tolist()
-        bed_rows.append((name, *(f"{v:.1f} ({s:.1f})" for v, s in zip(tension.mean(axis=0), tension.std(axis=0), strict=True))))
+        bed_rows.append(
+            (name, *(f"{v:.1f} ({s:.1f})" for v, s in zip(tension.mean(axis=0), tension.std(axis=0), strict=True)))
+        )
     words["figure_8"] = table(("friction", *(f"node {n}, {s:g} m" for n, s in zip(NODES, ARC, strict=True))), bed_rows)
     return Part({"figures-7-8": numbers}, words, {"figure-7": _figure_7(runs, motions), "figure-8": _figure_8(runs)})
 
@@ -72,7 +74,9 @@ def _figure_7(runs, motions):
     for ax, what in ((wind, "wind"), (waves, "waves")):
         for name, ds in runs[what].items():
             colour, width = styles[name]
-            ax.plot(ds["time"].values[::2], fairlead(ds)[::2], color=colour, lw=width, label=name, ls=_dash(name == dashed))
+            ax.plot(
+                ds["time"].values[::2], fairlead(ds)[::2], color=colour, lw=width, label=name, ls=_dash(name == dashed)
+            )
     bare = fairlead(runs["wind"]["no friction"])
     for name, ds in list(runs["wind"].items())[1:]:
         off.plot(ds["time"].values[::4], (fairlead(ds) - bare)[::4], color=styles[name][0], lw=styles[name][1],

@@ -64,8 +64,8 @@ CASES = {
     "damping in bending is": _with_type(bending_stiffness=1e4, bending_damping=1e2),
     "the Syrope model is": _with_type(syrope="s.dat", viscoelastic=(1e8, 1.0)),
     "vortex-induced vibration is": _with_type(lift_coefficient=0.8),
-    "waves are": _around(unread_water=UnreadWater(option="WaveKin", value="3", source=AT)),
-    "unsteady currents are": _around(unread_water=UnreadWater(option="Currents", value="2", source=AT)),
+    "waves of WaveKin 6 are": _around(unread_water=UnreadWater(option="WaveKin", value="6", source=AT)),
+    "currents of Currents 4 are": _around(unread_water=UnreadWater(option="Currents", value="4", source=AT)),
     "failures at a tension are": lambda m: dataclasses.replace(
         m, failures=(Failure(id=1, attachment=m.lines[0].end_a, lines=(1,), tension=1e6, source=AT),)
     ),

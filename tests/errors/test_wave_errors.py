@@ -5,9 +5,12 @@ from __future__ import annotations
 import warnings
 
 import pytest
+from moorings import spread
 
 from moorage.errors import ModelError, ModelWarning, UnsupportedError
 from moorage.io import read
+from moorage.model import Waves
+from moorage.model.checks import problems_of, suspicious
 from moorage.model.unbuilt import refuse_unbuilt
 
 GOOD = {
@@ -70,10 +73,12 @@ def test_missing_files(deck, mode, file):
         read(deck(("0.001    dtM       time step", f"0.001    dtM       time step\n{mode} WaveKin")))
 
 
-@pytest.mark.parametrize("mode", [1, 4, 5, 6])
+@pytest.mark.parametrize("mode", [4, 5, 6])
 def test_modes_without_files_are_refused_by_name(deck, mode):
     model = read(deck(("0.001    dtM       time step", f"0.001    dtM       time step\n{mode} WaveKin")))
-    with pytest.raises(UnsupportedError, match=rf"model.dat:20: waves are not simulated yet \(read: '{mode}'\)"):
+    with pytest.raises(
+        UnsupportedError, match=rf"model.dat:20: waves of WaveKin {mode} are not simulated yet \(read: '{mode}'"
+    ):
         refuse_unbuilt(model)
 
 
@@ -85,3 +90,70 @@ def test_a_current_below_the_seabed_is_told(deck, tmp_path):
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         read(deck(("0.001    dtM       time step", "0.001    dtM       time step\n1 Currents")))
+
+
+TEXT = """\
+moorage: 1
+environment:
+  water_depth: 100
+  {what}
+line_types:
+  chain: {{diameter: 0.08, mass_per_length: 113, axial_stiffness: 7.5e8}}
+points:
+  - {{id: 1, kind: fixed, position: [-300, 0, seabed]}}
+  - {{id: 2, kind: coupled, position: [0, 0, -10]}}
+lines:
+  - {{id: 1, end_a: 1, end_b: 2, sections: [{{line_type: chain, length: 330, segments: 10}}]}}
+"""
+TABLE = "waves: {{density: {{x: [{x}], y: [{y}]}}}}"
+WAVES = "waves: {{frequency: [{w}], amplitude: [1], phase: [0], direction: [0]{more}}}"
+NATIVE = {
+    "negative frequency": (WAVES.format(w="-0.5", more=""), r"yaml:4: frequency of a wave component must be positive .*-0.5"),
+    "no direction": ("waves: {frequency: [1], amplitude: [1], phase: [0]}", r"yaml:4: direction of waves .* is missing"),
+    "fewer directions": (WAVES.format(w="0.5, 0.6", more=""), r"do not have one of each .*2 of frequency, 1 of amplitude"),
+    "half a steep wave": (WAVES.format(w="0.5", more=", crests: [1]"), "need wavenumbers and crests"),
+    "harmonics": (WAVES.format(w="0.5", more=", crests: [1, 2], wavenumbers: [1]"), "2 of crests, 1 of frequency"),
+    "negative in a table": (TABLE.format(x="-0.1, 0.5", y="0, 1"), r"yaml:4: frequency of the spectrum must .*read: -0.1"),
+    "unsorted table": (TABLE.format(x="0.5, 0.4", y="0, 1"), "frequencies of the spectrum do not increase"),
+    "negative density": (TABLE.format(x="0.4, 0.5", y="-1, 1"), r"densities of the spectrum .*read: -1.0"),
+    "a number": ("waves: {density: 3}", r"spectrum is not a table \(read: 3.0\)\n    -> give x, frequencies in rad/s"),
+    "steep table": (TABLE.format(x="1.0, 1.1, 1.2", y="0, 90, 0"), r"waves of 12 m and 5.71\d* s would break"),
+    "breaking": ("waves: {spectrum: jonswap, height: 9, period: 5}", r"waves of 9 m and 5 s would break: they are 39 m"),
+}  # fmt: skip
+
+
+def native(tmp_path, what):
+    path = tmp_path / "model.yaml"
+    path.write_text(TEXT.format(what=what))
+    return read(path)
+
+
+@pytest.mark.parametrize("name", NATIVE)
+def test_native_wave_error(tmp_path, name):
+    what, message = NATIVE[name]
+    with pytest.raises(ModelError, match=message) as raised:
+        native(tmp_path, what)
+    assert len(raised.value.problems) == 1
+
+
+@pytest.mark.parametrize(("height", "steep"), [(6.2, False), (6.5, True)])
+def test_a_sea_that_is_too_steep_is_doubted(tmp_path, height, steep):
+    """At 8 s a fifteenth of 1.56 Tp^2 is 6.66 m; at 7.5 s 5.85 m, and waves break above 12.5 m."""
+    model = native(tmp_path, f"waves: {{spectrum: jonswap, height: {height}, period: {7.8}}}")
+    doubts = [str(problem) for problem in suspicious(model)]
+    assert any("steeper than seas are" in doubt for doubt in doubts) is steep
+    if steep:
+        assert any(
+            "model.yaml:4: a sea of Hs 6.5 m and Tp 7.8 s" in doubt and "at most 6.33 m" in doubt for doubt in doubts
+        )
+
+
+def test_waves_made_in_python_are_checked_too():
+    waves = Waves(frequency=(0.5, -0.6), amplitude=(1.0,), phase=(0.0, 0.0), direction=(0.0, 0.0), depth=-5.0)
+    messages = [problem.message for problem in problems_of(spread(5, waves=waves, host_waves=True))]
+    assert [m for m in messages if "wave" in m] == [
+        "waves are given by the model and by a host",
+        "components of the waves do not have one of each",
+        "frequency of a wave component must be positive",
+        "depth of the waves must be positive",
+    ]

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from moorings import CHAIN, coupled, curve, fixed, free, kind, line, mooring, run, single, spread
 
-from moorage.model import Bathymetry, Current, Friction, FrictionMap, Model, Motion, StiffnessMap
+from moorage.model import Bathymetry, Current, CurrentGrid, Friction, FrictionMap, Model, Motion, StiffnessMap
 from moorage.solve.host import HostMarch
 from moorage.solve.march_kernel import march_islands, start_islands
 from moorage.solve.statics import solve
@@ -23,6 +23,7 @@ def models() -> dict[str, tuple[Model, Motion | None]]:
     moved = Motion.from_harmonics(5.0, ramp=2.0, heave=(0.1, 3.0))
     bent = kind("rope", bending_stiffness=1e4)
     sheared = Current((-20.0, -10.0, 0.0), ((0.0, 0.0, 0.0), (0.1, 0.0, 0.0), (0.5, 0.1, 0.0)))
+    flow = CurrentGrid(t=(0.0, 5.0), x=(-9.0, 99.0), velocity=np.full((2, 2, 1, 1, 3), 0.2))
     x, rows = (0.0, 10.0), ((0.2, 0.3), (0.4, 0.5))
     mapped: dict = {
         "friction": Friction(map=FrictionMap(x, x, rows, rows)),
@@ -39,6 +40,7 @@ def models() -> dict[str, tuple[Model, Motion | None]]:
         "free points, no tables": (mooring(kind(), (a, b, float_), bridle), moved),
         "a point without lines": (mooring(kind(), (a, b, float_), (line(1, 1, 2, ("rope", 32.0, 3)),)), None),
         "sheared current": (single(kind(transverse_drag=1.0), 34.0, 5, a, b, current=sheared), moved),
+        "current over time and place": (single(kind(transverse_drag=1.0), 34.0, 5, a, b, current=flow), moved),
         "bending": (single(bent, 34.0, 9, a, b), None),
         "two segments, bent, held by a free point": (mooring(bent, (a, buoy), (line(1, 3, 1, ("rope", 12.0, 2)),)), None),
         "maps": (single(CHAIN, 34.0, 5, a, b, water_depth=20.0, **mapped), moved),

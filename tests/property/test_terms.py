@@ -35,7 +35,7 @@ from moorage.physics.bending import (
     node_hinge,
 )
 from moorage.physics.contact import Contact, contact_energy, contact_fraction, contact_terms
-from moorage.physics.current import Current, current_at
+from moorage.physics.current import current_at, current_of
 from moorage.physics.friction import Friction, friction_terms, stuck_after
 from moorage.physics.grid import build_grid, no_grid, values_at
 from moorage.physics.morison import (
@@ -666,7 +666,8 @@ def test_wet_fraction_of_a_sphere(z):
 def test_current_is_linear_between_levels_and_constant_beyond(z):
     levels, velocity = np.array([-50.0, -20.0, 0.0]), np.array([[0.1, 0.0, 0.0], [0.5, 0.2, -0.1], [1.0, 0.0, 0.3]])
     expected = [np.interp(z, levels, velocity[:, k]) for k in range(3)]
-    agree(current_at(Current(levels, velocity, True), z), expected, 1e-12, 1.0)
+    profile = current_of([0.0], [0.0], [0.0], levels, velocity)
+    agree(current_at(profile, (3.0, 4.0, z), 5.0), expected, 1e-12, 1.0)
 
 
 @FEW

@@ -369,7 +369,7 @@ def test_water_file_of_f(deck, tmp_path):
 def test_waves_are_remembered(deck):
     waves = with_options(deck, "4 WaveKin", "0.1 dtWave", "2 Currents").environment.unread_water
     assert (waves.option, waves.value, waves.settings) == ("WaveKin", "4", (("Currents", "2"), ("dtWave", "0.1")))
-    assert with_options(deck, "2 Currents").environment.unread_water.option == "Currents"
+    assert with_options(deck, "4 Currents").environment.unread_water.option == "Currents"
     assert with_options(deck, "SeaState WaterKin").environment.unread_water.option == "WaterKin"
 
 

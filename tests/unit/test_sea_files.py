@@ -7,7 +7,7 @@ import pytest
 import xarray as xr
 
 from moorage.errors import ModelError
-from moorage.io import read
+from moorage.io import convert, read
 from moorage.model.spectra import jonswap
 
 TEXT = """\
@@ -169,3 +169,31 @@ def test_current_error(tmp_path, words, message):
     with pytest.raises(ModelError, match=message) as raised:
         environment(tmp_path, f"current: {{{words}}}")
     assert len(raised.value.problems) == 1
+
+
+# --- spectra in tables, and what the native file keeps ---------------------------------------------------------------
+
+
+def test_a_table_of_a_spectrum(tmp_path):
+    """JONSWAP as 60 points: linear between them, its height is within 1 %; what it was made from is told."""
+    w = np.linspace(0.3, 2.2, 60)
+    np.savetxt(tmp_path / "spectrum.txt", np.column_stack([w, jonswap(w, 4.0, 10.0)]))
+    more = "direction: 90, spreading: 10, components: 150, seed: 7, stretching: linear"
+    env = environment(tmp_path, f"waves: {{density: {{file: spectrum.txt}}, {more}}}")
+    waves = env.waves
+    assert waves.significant_height == pytest.approx(4.0, rel=0.01)
+    assert (len(waves.frequency), waves.seed, waves.stretching) == (150, 7, "linear")
+    assert mean_direction(waves) == pytest.approx(90.0, abs=5.0)
+    assert min(waves.frequency) > 0.3
+    assert dict(waves.asked)["spectrum"] == "a table, spectrum.txt"
+    x, y = w.tolist(), jonswap(w, 4.0, 10.0).tolist()
+    inline = environment(tmp_path, f"waves: {{density: {{x: {x}, y: {y}}}, {more}}}").waves
+    assert inline.amplitude == pytest.approx(waves.amplitude)
+
+
+def test_converting_keeps_what_was_asked(tmp_path):
+    first = environment(tmp_path, "waves: {spectrum: jonswap, height: 4, period: 10, gamma: 2, seed: 9}").waves
+    convert(tmp_path / "model.yaml", tmp_path / "again.yaml")
+    again = read(tmp_path / "again.yaml").environment.waves
+    assert again == first
+    assert (again.seed, again.asked, again.words) == (9, first.asked, first.words)

@@ -102,6 +102,11 @@ def test_error_is_below_its_bound(waves, part):
     check_bound(waves, part, part)
 
 
+@pytest.mark.parametrize("stretching", ["vertical", "linear", "none"])
+def test_other_stretching_keeps_the_bound(stretching):
+    check_bound(dataclasses.replace(SEA, stretching=stretching), 1 / 20, 1 / 20)
+
+
 def test_bound_of_a_tenth_of_the_interval_fails():
     must_fail(check_bound, SEA, 1 / 20, 1 / 200)
 

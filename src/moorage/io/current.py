@@ -1,4 +1,4 @@
-"""A steady current in words: a speed, a direction, and how it falls towards the seabed."""
+"""Currents of a native file: in words, a speed, a direction and how it falls towards the seabed; or on a grid."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 
 from moorage.errors import ModelWarning
 from moorage.io.text import Findings
-from moorage.model import Current, Environment
+from moorage.model import Current, CurrentGrid, Environment
 
 STEPS = 64  # of the speed between seabed and surface
 LOWEST = 1e-6  # depth over water depth, below which a profile needs no more levels
@@ -43,9 +43,35 @@ def current_of(asked: Values, depth: float, found: Findings) -> Current:
     return Current(tuple(z.tolist()), tuple(zip(u.tolist(), v.tolist(), [0.0] * len(z), strict=True)), asked["source"])
 
 
+def current_grid(asked: Values, found: Findings) -> Current | CurrentGrid:
+    """Return the current of a grid's points; a still one, with a problem noted, when they do not fit."""
+    axes = {name: asked.get(name, (0.0,)) for name in "txyz"}
+    counts = tuple(len(axis) for axis in axes.values())
+    rows, points = asked["velocity"], int(np.prod(counts))
+    if len(rows) != points or any(len(row) != 3 for row in rows):
+        given = f"{len(rows)} rows of {len(rows[0]) if rows else 0}"
+        found.add("velocities of the current do not fit its grid", f"give {points} rows of 3", asked["source"], given)
+        return Current()
+    velocity = np.array(rows, float).reshape(*counts, 3)
+    return CurrentGrid(**axes, velocity=velocity, turn=asked.get("turn", 0.0), source=asked["source"])
+
+
+def grid_as_plain(current: CurrentGrid) -> dict[str, Any]:
+    """Return a grid by the native schema, without the axes along which it does not change."""
+    tree: dict[str, Any] = {name: list(getattr(current, name)) for name in "txyz"}
+    tree = {name: axis for name, axis in tree.items() if len(axis) > 1 or name == "t"}
+    tree["velocity"] = current.velocity.reshape(-1, 3).tolist()
+    return tree | ({"turn": current.turn} if current.turn else {})
+
+
 def warn_of_deep_levels(environment: Environment) -> None:
-    """Warn of a profile whose lowest level is below the deepest seabed: its z may be depths, or of another place."""
+    """Warn of a profile whose lowest level is below the deepest seabed: its z may be depths, or of another place.
+
+    Ocean models have the same levels at all places.
+    """
     grid, current = environment.bathymetry, environment.current
+    if isinstance(current, CurrentGrid) and max(current.shape[1:3]) > 1:
+        return
     depth = max(map(max, grid.depth)) if grid else environment.water_depth
     below = -current.z[0] - depth if current.z else 0.0
     if below > 1e-3 * depth:

@@ -10,11 +10,12 @@ from typing import Any
 import yaml
 
 from moorage.errors import ModelError, Problem, Source
-from moorage.io.current import current_of
+from moorage.io.current import current_grid, current_of, grid_as_plain
+from moorage.io.current_files import current_of_file
 from moorage.io.finish import checked
 from moorage.io.raster import read_bathymetry
 from moorage.io.schema import SCHEMA
-from moorage.io.sea_state import components, sea_state
+from moorage.io.sea_state import components, sea_state, tabled
 from moorage.io.text import Findings, read_text
 from moorage.io.wave_spectra import sea_of_file
 from moorage.io.yaml_nodes import NodeReader, Values
@@ -26,6 +27,7 @@ from moorage.model import (
     BuoyancyModules,
     Control,
     Current,
+    CurrentGrid,
     Curve,
     Environment,
     ExternalLoad,
@@ -107,12 +109,12 @@ def _environment(values: Values, folder: Path, found: Findings) -> Environment:
         values = values | {"bathymetry": _seabed(values["bathymetry"], folder, found)}
     if "waves" in values:
         values = values | {"waves": _waves(values, folder, found)}
-    if "speed" in values.get("current", ()):
-        values = values | {"current": current_of(values["current"], values["water_depth"], found)}
+    if "current" in values:
+        values = values | {"current": _current(values, folder, found)}
     if "map" in values.get("friction", ()):
         values = values | {"friction": values["friction"] | {"map": FrictionMap(**values["friction"]["map"])}}
     parts: dict[str, type] = {
-        "friction": Friction, "current": Current, "unread_water": UnreadWater, "seabed_stiffness_map": StiffnessMap,
+        "friction": Friction, "unread_water": UnreadWater, "seabed_stiffness_map": StiffnessMap,
     }  # fmt: skip
     made = {
         key: parts[key](**value) if key in parts and isinstance(value, dict) else value
@@ -120,6 +122,16 @@ def _environment(values: Values, folder: Path, found: Findings) -> Environment:
         if key != "source"
     }
     return Environment(**made)
+
+
+def _current(values: Values, folder: Path, found: Findings) -> Current | CurrentGrid:
+    """Return the current of an environment, from words, a file, a grid or levels."""
+    asked = values["current"]
+    if "speed" in asked:
+        return current_of(asked, values["water_depth"], found)
+    if "file" in asked:
+        return current_of_file(asked, folder, found)
+    return current_grid(asked, found) if asked.keys() & {"t", "x"} else Current(**asked)
 
 
 def _waves(values: Values, folder: Path, found: Findings) -> Waves | None:
@@ -134,6 +146,8 @@ def _waves(values: Values, folder: Path, found: Findings) -> Waves | None:
         return None  # the checks of the environment tell
     if "file" in asked:
         return sea_of_file(asked, folder, water, found)
+    if "density" in asked:
+        return tabled(asked, water, found)
     if "spectrum" in asked:
         return sea_state(asked, water, found)
     return components(asked, water, found)
@@ -232,6 +246,8 @@ def _plain(value: Any, kind: str, names: dict[int, str]) -> Any:
         return [_tree(kind[len("list of ") :], item, names) for item in value]
     if kind.startswith("map of "):
         return {item.name: _tree(kind[len("map of ") :], item, names) for item in value}
+    if isinstance(value, CurrentGrid):
+        return grid_as_plain(value)
     if kind in SCHEMA:
         return _tree(kind, value, names)
     if kind == "end":

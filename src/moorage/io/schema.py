@@ -25,6 +25,23 @@ class Key:
 
 _KIND = "one of fixed, coupled, free, pinned, coupled-pinned"
 
+_DRAWN = {
+    "direction": Key("number", "deg", "where the waves go, from x towards y; 0 by default"),
+    "spreading": Key("number", "-", "s of cos^2s of half the angle; by default all waves go one way"),
+    "components": Key("integer", "-", "number of them; 200 by default"),
+    "method": Key("one of random, equal-energy, equal-frequency", "-", "how the spectrum is cut; random by default"),
+    "seed": Key("integer", "-", "of what is random; 1 by default"),
+}
+_USED = {
+    "stretching": Key(
+        "one of wheeler, vertical, linear, none",
+        "-",
+        "of the profiles to the surface; wheeler by default, none for stokes and stream-function",
+    ),
+    "ramp": Key("number", "s", "over which the sea grows from nothing"),
+    "exact": Key("flag", "-", "sum at every evaluation; false: along the nodes' paths, 20 times in a peak period"),
+}
+
 SCHEMA: dict[str, dict[str, Key]] = {
     "model": {
         "moorage": Key("integer", "-", "version of this format: 1", True),
@@ -52,8 +69,9 @@ SCHEMA: dict[str, dict[str, Key]] = {
         "seabed_damping": Key("number", "Pa s/m", "damping on the projected area d l of a line"),
         "friction": Key("friction", "-", "friction of the seabed"),
         "bathymetry": Key("bathymetry", "-", "depths on a rectangular grid"),
-        "current": Key("current", "-", "steady current by level"),
+        "current": Key("current", "-", "steady current by level, or over time and place"),
         "waves": Key("waves", "-", "Airy waves: components, or with `spectrum` a sea state"),
+        "host_waves": Key("flag", "-", "waves come from the program that moves the mooring, or from a function"),
         "unread_water": Key("unread water", "-", "a sea as MoorDyn's options name it, which is not simulated"),
     },
     "friction": {
@@ -106,6 +124,20 @@ SCHEMA: dict[str, dict[str, Key]] = {
         "z": Key("numbers", "m", "levels, increasing, negative below the water", True),
         "velocity": Key("table", "m/s", "x, y and z component at each level", True),
     },
+    "current grid": {
+        "t": Key("numbers", "s", "times, increasing; left out for a current that does not change"),
+        "x": Key("numbers", "m", "increasing, along the grid's x axis; left out where it is the same everywhere"),
+        "y": Key("numbers", "m", "the same along its y axis"),
+        "z": Key("numbers", "m", "levels, increasing, negative below the water"),
+        "velocity": Key("table", "m/s", "x, y and z component at each point: z changes fastest, then y, x and t", True),
+        "turn": Key("number", "rad", "angle of the grid's axes against the model's"),
+    },
+    "current file": {
+        "file": Key("text", "-", "NetCDF file of velocities over depth, time and place, with units", True),
+        "start": Key("text", "-", "time 0 of the run as a date, such as 2020-01-31T12:00; by default the file's first"),
+        "origin": Key("numbers", "m or deg", "x and y of the model's origin in the file, or longitude and latitude"),
+        "heading": Key("number", "deg", "of the x axis, clockwise from north; 90 by default: to the east"),
+    },
     "current in words": {
         "speed": Key("number", "m/s", "at the still water level", True),
         "direction": Key("number", "deg", "where it goes, from x towards y; 0 by default"),
@@ -119,37 +151,42 @@ SCHEMA: dict[str, dict[str, Key]] = {
         "amplitude": Key("numbers", "m", "of the components", True),
         "phase": Key("numbers", "rad", "of the components: cos(w t - k x + phase)", True),
         "direction": Key("numbers", "rad", "where each component goes, from x towards y", True),
-        "stretching": Key("one of wheeler, vertical, none", "-", "of the profiles to the surface; wheeler by default"),
-        "ramp": Key("number", "s", "over which the sea grows from nothing"),
-        "exact": Key("flag", "-", "sum at every evaluation; false: along the nodes' paths, 20 times in a peak period"),
+        "wavenumbers": Key("numbers", "rad/m", "of harmonics of a steep wave; by default of free waves"),
+        "crests": Key("numbers", "m", "amplitudes of their elevation; amplitude is then that of the velocity"),
+        **_USED,
+        "seed": Key("integer", "-", "of what was random, for the record"),
+        "asked": Key("pairs", "-", "what they were made from, for the record"),
+    },
+    "spectrum table": {
+        "density": Key(
+            "curve", "rad/s, m2 s/rad", "density of the spectrum against frequency: x and y, or a file", True
+        ),
+        **_DRAWN,
+        **_USED,
     },
     "sea state": {
-        "spectrum": Key("one of regular, jonswap, pierson-moskowitz, ochi-hubble", "-", "a wave, or a spectrum", True),
+        "spectrum": Key(
+            "one of regular, stokes, stream-function, jonswap, pierson-moskowitz, ochi-hubble",
+            "-",
+            "a wave, or a spectrum",
+            True,
+        ),
         "height": Key("number", "m", "height of the wave, or significant height", True),
         "period": Key("number", "s", "period of the wave, or of the peak", True),
         "phase": Key("number", "deg", "of a regular wave"),
+        "order": Key("integer", "-", "harmonics of stokes (up to 5) or stream-function; 5 and 12 by default"),
         "gamma": Key("number", "-", "peakedness of jonswap; by default by rule from height and period"),
         "second": Key("numbers", "m, s", "significant height and peak period of ochi-hubble's second part"),
         "shape": Key("numbers", "-", "lambda of ochi-hubble's two parts; 3 and 1 by default"),
-        "direction": Key("number", "deg", "where the waves go, from x towards y; 0 by default"),
-        "spreading": Key("number", "-", "s of cos^2s of half the angle; by default all waves go one way"),
-        "components": Key("integer", "-", "number of them; 200 by default"),
-        "method": Key(
-            "one of random, equal-energy, equal-frequency", "-", "how the spectrum is cut; random by default"
-        ),
-        "seed": Key("integer", "-", "of what is random; 1 by default"),
-        "stretching": Key("one of wheeler, vertical, none", "-", "of the profiles to the surface; wheeler by default"),
-        "ramp": Key("number", "s", "over which the sea grows from nothing"),
-        "exact": Key("flag", "-", "sum at every evaluation; false: along the nodes' paths, 20 times in a peak period"),
+        **_DRAWN,
+        **_USED,
     },
     "wave file": {
         "file": Key("text", "-", "NetCDF file of efth(time, freq, dir), with units", True),
         "time": Key("integer", "-", "number of the time in the file, from 0; 0 by default"),
         "heading": Key("number", "deg", "of the x axis, clockwise from north; 90 by default: to the east"),
         "seed": Key("integer", "-", "of the phases and of the frequencies in their bins; 1 by default"),
-        "stretching": Key("one of wheeler, vertical, none", "-", "of the profiles to the surface; wheeler by default"),
-        "ramp": Key("number", "s", "over which the sea grows from nothing"),
-        "exact": Key("flag", "-", "sum at every evaluation; false: along the nodes' paths, 20 times in a peak period"),
+        **_USED,
     },
     "unread water": {
         "option": Key("text", "-", "MoorDyn's option: WaveKin, WaterKin or Currents", True),
@@ -283,8 +320,8 @@ SCHEMA: dict[str, dict[str, Key]] = {
 # what an object is when it has a certain key
 BY_KEY = {
     "bathymetry": {"file": "bathymetry file"},
-    "waves": {"spectrum": "sea state", "file": "wave file"},
-    "current": {"speed": "current in words"},
+    "waves": {"density": "spectrum table", "spectrum": "sea state", "file": "wave file"},
+    "current": {"speed": "current in words", "file": "current file", "t": "current grid", "x": "current grid"},
 }
 
 
@@ -299,8 +336,10 @@ def as_markdown() -> str:
         "What is not required has a default. A *curve* is a number, `{x: [...], y: [...]}`, or `{file: name}` with two",
         "columns; the z of a *position* may be the word `seabed`; an *end* is a point's number or name, or `rod 1 A`.",
         "A *bathymetry* with the key `file` is a *bathymetry file*: a raster, see [the seabed](seabed.md);",
-        "*waves* with the key `spectrum` are a *sea state*, with the key `file` a *wave file*, see [waves](waves.md);",
-        "a *current* with the key `speed` is a *current in words*.",
+        "*waves* with the key `spectrum` are a *sea state*, with `density` a *spectrum table*, with `file` a *wave",
+        "file*, see [waves](waves.md);",
+        "a *current* with the key `speed` is a *current in words*, with `file` a *current file*, with `t` or `x` a",
+        "*current grid*.",
     ]
     for name, keys in SCHEMA.items():
         lines += ["", f"## {name}", "", "| key | value | unit | meaning | required |", "|---|---|---|---|---|"]

@@ -16,6 +16,7 @@ from moorage.model.components import (
     RodType,
     Section,
 )
+from moorage.model.current_grid import CurrentGrid
 from moorage.model.environment import (
     Bathymetry,
     Current,
@@ -38,6 +39,7 @@ __all__ = [
     "BuoyancyModules",
     "Control",
     "Current",
+    "CurrentGrid",
     "Curve",
     "Environment",
     "ExternalLoad",

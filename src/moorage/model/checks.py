@@ -22,13 +22,15 @@ from moorage.model.cables import (
 )
 from moorage.model.channels import parse_channel
 from moorage.model.components import Attachment, Curve, Line, LineType
+from moorage.model.current_grid import CurrentGrid
 from moorage.model.environment import Bathymetry, FrictionMap, StiffnessMap
 from moorage.model.model import Model
 from moorage.model.seabed import below_seabed
+from moorage.model.water_checks import current_is_possible, steep_waves, waves_are_given_once, waves_are_possible
 
 Check = Callable[[Model], Iterator[Problem]]
 
-OWN_CHECK = Source | Bathymetry | FrictionMap | StiffnessMap  # grids are looked through elsewhere
+OWN_CHECK = Source | Bathymetry | CurrentGrid | FrictionMap | StiffnessMap  # grids are looked through elsewhere
 
 
 def check(model: Model) -> None:
@@ -46,7 +48,8 @@ def problems_of(model: Model) -> list[Problem]:
 
 def suspicious(model: Model) -> list[Problem]:
     """Return what can be run but is hardly meant."""
-    return pinned_junctions(model) + weak_friction(model) + points_off_the_grid(model) + anchors_over_the_bed(model)
+    doubts = (pinned_junctions, weak_friction, points_off_the_grid, anchors_over_the_bed, steep_waves)
+    return [problem for doubt in doubts for problem in doubt(model)]
 
 
 def _named(model: Model) -> Iterator[tuple[str, object, Source | None]]:
@@ -106,15 +109,6 @@ def environment_is_possible(model: Model) -> Iterator[Problem]:
     if model.output_interval is not None and model.output_interval <= 0.0:
         source = model.source_of("output_interval")
         yield Problem("output interval must be positive", "correct it", source, model.output_interval)
-
-
-def current_is_a_profile(model: Model) -> Iterator[Problem]:
-    """Levels of the current increase, each with a velocity."""
-    current = model.environment.current
-    if len(current.z) != len(current.velocity) or not current.z:
-        yield Problem("current has not one velocity for each level", "give both for each level", current.source)
-    if any(b <= a for a, b in pairwise(current.z)):
-        yield Problem("levels of the current do not increase", "sort them, each once", current.source, current.z)
 
 
 def line_types_are_possible(model: Model) -> Iterator[Problem]:
@@ -356,7 +350,9 @@ CHECKS: tuple[Check, ...] = (
     friction_is_possible,
     maps_are_grids,
     depths_are_positive,
-    current_is_a_profile,
+    current_is_possible,
+    waves_are_given_once,
+    waves_are_possible,
     line_types_are_possible,
     rod_types_are_possible,
     objects_are_possible,

@@ -8,6 +8,7 @@ from typing import Literal
 
 from moorage.errors import Source
 from moorage.model.components import Curve
+from moorage.model.current_grid import CurrentGrid
 from moorage.model.waves import Waves
 
 
@@ -191,6 +192,11 @@ class Environment:
         Pa/m and Pa s/m on the projected area d l of the line.
     seabed_stiffness_map : StiffnessMap or None
         Stiffness over x and y, in place of `seabed_stiffness` in the normal force (not in that of friction's spring).
+    current : Current or CurrentGrid
+        A steady profile, or velocities over time and place.
+    host_waves : bool
+        Waves come from the program that moves the mooring (`Simulation.set_water`) or a function (`simulate`'s
+        `water`), and not from `waves`.
     """
 
     water_depth: float
@@ -201,8 +207,9 @@ class Environment:
     seabed_stiffness_map: StiffnessMap | None = None
     friction: Friction | None = None
     bathymetry: Bathymetry | None = None
-    current: Current = Current()
+    current: Current | CurrentGrid = Current()
     waves: Waves | None = None
+    host_waves: bool = False
     unread_water: UnreadWater | None = None
 
     def depth_at(self, x: float, y: float) -> float:

@@ -73,8 +73,13 @@ def _vortex_vibration(model: Model) -> Iterator[Problem]:
 def _waves(model: Model) -> Iterator[Problem]:
     waves = model.environment.unread_water
     if waves is not None:
-        what = "unsteady currents are" if waves.option == "Currents" else "waves are"
-        yield Problem(f"{what} not simulated yet", f"remove option {waves.option}", waves.source, waves.value)
+        what = "currents" if waves.option == "Currents" else "waves"
+        remedy = f"remove option {waves.option}"
+        if waves.option == "Currents":
+            remedy = f"write {int(waves.value) - 2}, which reads the same file at all places"
+        yield Problem(
+            f"{what} of {waves.option} {waves.value} are not simulated yet", remedy, waves.source, waves.value
+        )
 
 
 def _controls(model: Model) -> Iterator[Problem]:

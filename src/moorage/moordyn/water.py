@@ -39,7 +39,7 @@ def ExternalWaveKinSet(instance: System, u, a, t: float) -> int:
     """Set velocity (m/s) and acceleration (m/s2) of the water, (n, 3), from now on; return 0."""
     system, values = live(instance), []
     sea = system.built.system
-    if len(sea.sea.k) or sea.current.flows:
+    if sea.sea.parts.shape[1] or sea.current.flows:
         raise RuntimeError("ExternalWaveKinSet: the model has waves or a current of its own; remove them")
     nodes = ExternalWaveKinInit(instance)
     for name, given in (("velocities", u), ("accelerations", a)):

@@ -13,9 +13,9 @@ from __future__ import annotations
 
 from moorage._jit import inlined
 from moorage._vec3 import get, put, scale, sub
-from moorage.physics.sea import ETA, ETA_T, ETA_X, ETA_Y, GRAD_A, GRAD_U, A, J, U, stretched
+from moorage.physics.sea import ETA, ETA_T, ETA_X, ETA_Y, GRAD_A, GRAD_U, WATER, A, J, U, stretched
 
-FIELDS = 7  # elevation, velocity, acceleration
+FIELDS = WATER
 TERMS = 10  # cubic in time (4), and for x, y and z a gradient and its change
 
 

@@ -22,7 +22,7 @@ from moorage.results.modes import modes_report, stiffness_report
 from moorage.results.moordyn_out import MoordynOut
 from moorage.results.provenance import fingerprint, run_attributes
 from moorage.results.reader import open_result
-from moorage.results.sea import sea_attributes, warn_of_repetition
+from moorage.results.sea import sea_attributes, warn_of_repetition, warn_of_short_current
 from moorage.results.seabed import Seabed, seabed_of
 from moorage.results.seabed_report import SeabedReport, seabed_reports
 from moorage.results.statistics import LineSummary, Summary, has_static_tensions, line_summaries, static_report
@@ -72,6 +72,7 @@ __all__ = [
     "to_dataset",
     "warn_of_lines_off_the_grid",
     "warn_of_repetition",
+    "warn_of_short_current",
     "warn_of_tight_bends",
     "watch_list",
     "write_vtk",

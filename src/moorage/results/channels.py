@@ -20,12 +20,12 @@ from moorage.layout import Weights
 from moorage.model import Model, Motion
 from moorage.model.channels import Channel, parse_channel
 from moorage.physics.point import sample_loads
-from moorage.physics.sea import RECORD
+from moorage.physics.sea import RECORD, scratch_for
 from moorage.physics.sea_table import FIELDS
 from moorage.results.rigid_channels import of_body, of_rod
+from moorage.solve.given_water import WaterFeed
 from moorage.solve.march import Block
 from moorage.system.build import Built
-from moorage.system.holders import timed_failures
 from moorage.system.water import sample_water
 
 Evaluate = Callable[[Block], np.ndarray]
@@ -59,10 +59,12 @@ def watch_list(model: Model) -> tuple[tuple[int, int], ...]:
     return tuple(dict.fromkeys(pairs))
 
 
-def plan_outputs(model: Model, built: Built, motion: Motion | None = None) -> tuple[Output, ...]:
-    """Return the channels of a checked model, each once."""
+def plan_outputs(
+    model: Model, built: Built, motion: Motion | None = None, water: WaterFeed | None = None
+) -> tuple[Output, ...]:
+    """Return the channels of a checked model, each once; `water` is what gives the waves in place of the model."""
     watched = {pair: k for k, pair in enumerate(watch_list(model))}
-    return tuple(_output(name, channel, model, built, watched, motion) for name, channel in _channels(model))
+    return tuple(_output(name, channel, model, built, watched, motion, water) for name, channel in _channels(model))
 
 
 def _channels(model: Model) -> list[tuple[str, Channel]]:
@@ -94,9 +96,10 @@ def _output(
     built: Built,
     watched: dict[tuple[int, int], int],
     motion: Motion | None,
+    water: WaterFeed | None,
 ) -> Output:
     if channel.object == "point":
-        unit, words, evaluate = _of_point(channel, model, built)
+        unit, words, evaluate = _of_point(channel, model, built, water)
     elif channel.object == "rod":
         k = next(k for k, rod in enumerate(model.rods) if rod.id == channel.id)
         unit, words, evaluate = of_rod(channel, model, k, first_rod_end(model, k))
@@ -111,19 +114,18 @@ def _output(
     return Output(name, unit, words + along, evaluate)
 
 
-def _of_point(channel: Channel, model: Model, built: Built) -> tuple[str, str, Evaluate]:
+def _of_point(channel: Channel, model: Model, built: Built, water: WaterFeed | None) -> tuple[str, str, Evaluate]:
     k, quantity = next(k for k, point in enumerate(model.points) if point.id == channel.id), channel.quantity
     if quantity[0] in "FT":
         words = f"force of lines, weight, buoyancy and drag on point {channel.id}"
-        return "N", words, _point_force(built, k, quantity)
+        return "N", words, _point_force(built, k, quantity, water)
     field, unit = _KINDS[quantity[0]]
     return unit, f"{field} of point {channel.id}", _vector(f"point_{field}", k, quantity)
 
 
 def first_rod_end(model: Model, k: int) -> int:
-    """Return the number of end A of a rod among points, ends that come off at a time, and ends of rods."""
-    before = len(model.points) + len(timed_failures(model))
-    return before + sum(2 if rod.segments else 1 for rod in model.rods[:k])
+    """Return the number of end A of a rod among points and ends of rods."""
+    return len(model.points) + sum(2 if rod.segments else 1 for rod in model.rods[:k])
 
 
 def _of_end(channel: Channel, model: Model) -> tuple[str, str, Evaluate]:
@@ -150,8 +152,7 @@ def _vector(field: str, k: int, quantity: str) -> Evaluate:
 def water_at(built: Built, time: np.ndarray, position: np.ndarray) -> np.ndarray:
     """Return elevation, velocity and acceleration of the water (n, 7) at times (n,) and places (n, 3)."""
     out = np.empty((len(time), FIELDS))
-    scratch = np.zeros((2, len(built.system.sea.k)))
-    sample_water(built.system, time, position, scratch, np.zeros(RECORD), out)
+    sample_water(built.system, time, position, scratch_for(built.system.sea), np.zeros(RECORD), out)
     return out
 
 
@@ -159,7 +160,7 @@ def _norm(vectors: np.ndarray) -> np.ndarray:
     return np.sqrt((vectors**2).sum(axis=-1))
 
 
-def _point_force(built: Built, k: int, quantity: str) -> Evaluate:
+def _point_force(built: Built, k: int, quantity: str, given: WaterFeed | None) -> Evaluate:
     """Return MoorDyn's net force on a point: loads of the line ends, and those on the point itself."""
     lines, ends = np.nonzero(built.system.lines.end_point == k)
 
@@ -167,6 +168,8 @@ def _point_force(built: Built, k: int, quantity: str) -> Evaluate:
         own = np.empty((len(block["time"]), 3))
         place, velocity = block["point_position"][:, k].copy(), block["point_velocity"][:, k].copy()
         water = water_at(built, block["time"].copy(), place)
+        if given is not None:
+            water += [given.sample(t, r[None])[0] for t, r in zip(block["time"].tolist(), place, strict=True)]
         sample_loads(built.system.points, k, water, place, velocity, Weights(0.0, 0.0, 0.0), own)
         total = own + block["end_load"][:, lines, ends].sum(axis=1)
         return _norm(total) if quantity == "TEN" else total[:, "XYZ".index(quantity[-1])]

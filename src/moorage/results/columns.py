@@ -14,6 +14,7 @@ from moorage.results.channels import Output
 from moorage.results.index import Index
 from moorage.results.sea import COMPONENT, ELEVATION, sea_columns, sea_coordinates
 from moorage.results.seabed import UPLIFT, Seabed
+from moorage.solve.given_water import WaterFeed
 from moorage.solve.march import Block
 from moorage.variables import VARIABLES, attributes
 
@@ -49,7 +50,7 @@ class Layout:
         For models with cables: what their columns need.
     seabed : Seabed or None
         For models with friction or bathymetry: what their columns need.
-    waves : Waves or None
+    waves : Waves, WaterFeed or None
         The sea, where there is one.
     carried : Carried or None
         For models with rods or bodies: what their columns need.
@@ -62,7 +63,7 @@ class Layout:
     node_time: str = "time"
     bending: Bending | None = None
     seabed: Seabed | None = None
-    waves: Waves | None = None
+    waves: Waves | WaterFeed | None = None
     carried: Carried | None = None
     static: Mapping[str, np.ndarray] = field(default_factory=dict)
 
@@ -104,7 +105,7 @@ class Layout:
     @property
     def sizes(self) -> dict[str, int]:
         """Length of every dimension but time."""
-        sea = {COMPONENT: len(self.waves.frequency)} if self.waves else {}
+        sea = {COMPONENT: len(self.waves.frequency)} if isinstance(self.waves, Waves) else {}
         carried = self.carried.sizes if self.carried else {}
         return self.index.sizes | carried | (self.seabed.sizes if self.seabed else {}) | sea
 
@@ -114,7 +115,7 @@ class Layout:
         unused = set(COORDINATES) - set(self.bending.coordinates if self.bending else ())
         known = self.index.coordinates().items()
         rows = {n: values for n, values in known if VARIABLES[n].dims not in left_out and n not in unused}
-        sea = sea_coordinates(self.waves) if self.waves else {}
+        sea = sea_coordinates(self.waves) if isinstance(self.waves, Waves) else {}
         carried = self.carried.coordinates if self.carried else {}
         return rows | carried | (self.seabed.coordinates if self.seabed else {}) | sea | dict(self.static)
 

@@ -8,7 +8,8 @@ import numpy as np
 import xarray as xr
 
 from moorage.errors import ModelWarning
-from moorage.model import Waves
+from moorage.model import Current, CurrentGrid, Waves
+from moorage.solve.given_water import WaterFeed
 
 ELEVATION = ("wave_elevation",)
 COMPONENT = "wave_component"
@@ -41,7 +42,7 @@ def sea_coordinates(waves: Waves) -> dict[str, np.ndarray]:
     }
 
 
-def sea_columns(waves: Waves, time: np.ndarray) -> dict[str, np.ndarray]:
+def sea_columns(waves: Waves | WaterFeed, time: np.ndarray) -> dict[str, np.ndarray]:
     """Return the columns of a sea at times (n,) s."""
     return {"wave_elevation": waves.elevation(time)}
 
@@ -63,6 +64,17 @@ def warn_of_repetition(waves: Waves | None, duration: float) -> None:
         warnings.warn(
             f"{f'{waves.source}: ' if waves.source else ''}the waves repeat after {waves.repeats_after:.4g} s, the run "
             f"is {duration:g} s long: their frequencies are equally spaced (method random does not repeat)",
+            ModelWarning,
+            stacklevel=3,
+        )
+
+
+def warn_of_short_current(current: Current | CurrentGrid, duration: float) -> None:
+    """Warn of a current whose times end before a run does."""
+    if isinstance(current, CurrentGrid) and len(current.t) > 1 and current.t[-1] < duration:
+        warnings.warn(
+            f"{f'{current.source}: ' if current.source else ''}the current is given up to {current.t[-1]:g} s, the run "
+            f"is {duration:g} s long: its last values go on",
             ModelWarning,
             stacklevel=3,
         )

@@ -9,7 +9,7 @@ from moorage._vec3 import get, mat_get, mat_t_times, mat_times
 from moorage.layout import Weights
 from moorage.physics.motion import Tracks, sample_track
 from moorage.physics.rigid import body_load
-from moorage.physics.sea import RECORD
+from moorage.physics.sea import RECORD, scratch_for
 from moorage.physics.sea_table import FIELDS
 from moorage.system.build import Built
 from moorage.system.water import sample_water
@@ -139,7 +139,7 @@ def own_load(built: Built, block: Block, k: int, acceleration: np.ndarray, time:
     """Return force and moment (n, 6) on body k by itself: weight, water, given loads, inertia."""
     place, n = np.ascontiguousarray(block["body_position"][:, k]), len(time)
     water, out = np.empty((n, FIELDS)), np.empty((n, 6))
-    scratch = np.zeros((2, len(built.system.sea.k)))
+    scratch = scratch_for(built.system.sea)
     sample_water(built.system, np.ascontiguousarray(time), place, scratch, np.zeros(RECORD), water)
     sample_rigid(
         built.body_loads, k, water, place, np.ascontiguousarray(block["body_axes"][:, k].reshape(n, 9)),

@@ -11,7 +11,9 @@ import numpy as np
 from moorage.errors import SimulationError
 from moorage.layout import State
 from moorage.physics.motion import Tracks
+from moorage.solve.given_water import as_water, set_given, takes_water
 from moorage.solve.march import Block, March, Settings
+from moorage.solve.march_kernel import start_islands
 from moorage.solve.record import FORCE_A, MOMENT_A, Record, new_record
 from moorage.solve.statics import rest, solve
 from moorage.system.build import Built, with_motion
@@ -32,17 +34,20 @@ class HostMarch:
     built : Built
         System with its coupled points where the model describes them.
     settings : Settings
+    hosts_water : bool
+        Whether the host gives the water.
 
     Attributes
     ----------
     driven : (m,) int
-        Tracks that the host moves: the coupled points and rod ends, then the directions of the clamps on them. Forces
-        are those on the first `len(built.coupled)`.
+        Tracks that the host moves: the coupled points and rod ends, then the directions that they turn. Forces are
+        those on the first `len(built.coupled)`.
     position, velocity : (m, 3) array
         Of them now, m and m/s.
     """
 
-    def __init__(self, built: Built, settings: Settings | None = None):
+    def __init__(self, built: Built, settings: Settings | None = None, hosts_water: bool = False):
+        built = takes_water(built) if hosts_water else built
         coupled = built.coupled
         self.driven = np.concatenate([coupled, turned_directions(built)]).astype(np.int64)
         m = len(self.driven)
@@ -57,6 +62,8 @@ class HostMarch:
         self._component = (3 * row[ends, None] + np.arange(3)).ravel()
         self._record = new_record(built.system, np.zeros(1), np.zeros(0), np.zeros((0, 2), dtype=np.int64))
         self.built = with_motion(built, self._tracks)
+        holders = np.arange(len(built.state.position) - built.names.node_ptr[-1])
+        self._held = np.setdiff1d(holders, built.system.islands.points)  # whose rows of the state are not used
         self.settings = settings or Settings()
         self.position = self._tracks.rest[self.driven].copy()
         self.velocity = np.zeros_like(self.position)
@@ -85,7 +92,7 @@ class HostMarch:
             target[...] = source
         self._set_tracks(time, time + 1.0, self.position + self.velocity, self.velocity)
         self._march = March(self.built, self.settings, 0.0)
-        self._march._begin(time)
+        self._march._begin(time, self._march.built)
         self.time = float(time)
         return self._forces(time)
 
@@ -112,6 +119,26 @@ class HostMarch:
             raise
         self.time, self.position, self.velocity = float(time), position, velocity
         return forces
+
+    def water_nodes(self) -> np.ndarray:
+        """Return where the host has to say what the water does, (rows, 3), m: every row of the state."""
+        places = self.built.state.position.copy()
+        first = self.built.names.node_ptr[-1]
+        places[first + self._held] = self._tracks.rest[self._held]
+        places[first + self.built.coupled] = self.position
+        return places
+
+    def set_water(self, elevation, velocity, acceleration, time: float | None = None) -> None:
+        """Say what the water does at `water_nodes` now, or at a later time (s) to which it goes linearly."""
+        if self._march is None:
+            raise SimulationError("set_water() before initialize(): call initialize() first", self.time)
+        given, time = self.built.system.sea.given, self.time if time is None else float(time)
+        if not time >= self.time:
+            raise SimulationError(f"set_water() at {time} s, but the run is at {self.time:g} s", self.time)
+        values = as_water(self.time, given.shape[1] - 1, elevation, velocity, acceleration)
+        set_given(given, self.time, values, time)
+        if time == self.time:  # the forces jump, and with them the accelerations
+            start_islands(self.built.system, self.built.state, self.built.work, self.time)
 
     def save(self) -> Block:
         """Return the whole state, so that a host can come back to it."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 from concurrent.futures import ThreadPoolExecutor
 from itertools import pairwise
@@ -15,6 +16,7 @@ from moorage.layout import OF_OBJECTS, new_state
 from moorage.physics.motion import sample_track
 from moorage.solve import record as columns
 from moorage.solve.carried import carried
+from moorage.solve.given_water import WaterFeed, takes_water
 from moorage.solve.march_kernel import BROKEN, OK, UNSTABLE, Clocks, Control, march_islands, start_islands
 from moorage.solve.places import place_name
 from moorage.solve.record import Record, new_record
@@ -137,10 +139,19 @@ class March:
     ----------
     releases : Releases, optional
         The failures that come in the run. A system that takes over then has the same rows.
+    water : WaterFeed, optional
+        Gives the water, in place of the waves of the system.
     """
 
-    def __init__(self, built: Built, settings: Settings, duration: float, releases: Releases | None = None):
-        self.settings, self.duration = settings, float(duration)
+    def __init__(
+        self,
+        built: Built,
+        settings: Settings,
+        duration: float,
+        releases: Releases | None = None,
+        water: WaterFeed | None = None,
+    ):
+        self.settings, self.duration, self._water = settings, float(duration), water
         self._releases = releases
         self._released: frozenset[int] = frozenset()
         self._counted = np.zeros(3, dtype=np.int64)  # by the systems before
@@ -150,6 +161,8 @@ class March:
 
     def _begin(self, time: float, built: Built) -> None:
         """Start from the state of a system at a time."""
+        if self._water is not None:
+            built = takes_water(built, self._water.given)
         sea = with_interval(built.system.sea, self.settings.time_step)
         self.time, self.built = time, built._replace(system=built.system._replace(sea=sea))
         self.control = control_of(self.settings, self.built)
@@ -163,6 +176,8 @@ class March:
             np.full(islands, -1, dtype=np.int64),
         )
         self.old = new_state(len(self.built.state.position), len(self.built.state.attitude))
+        if self._water is not None:
+            self._water.start(self.built.state, time)
         start_islands(self.built.system, self.built.state, self.built.work, time)
         for target, source in zip(self.old, self.built.state, strict=True):
             target[...] = source
@@ -193,6 +208,11 @@ class March:
         return time, {k for k, at in later.items() if at <= time}
 
     @property
+    def _fed(self) -> float:
+        """Time up to which the water is given, s."""
+        return math.inf if self._water is None else self._water.end
+
+    @property
     def counters(self) -> dict[str, int]:
         """Steps, rejected steps and Newton iterations of all islands so far."""
         steps, rejected, iterations = self._counted + self.clocks.counts.sum(axis=0)
@@ -215,23 +235,27 @@ class March:
             time, failures = self._due(until)
             saved = self.checkpoint() if len(self.built.system.breaks.line) else {}
             try:
-                parts.append(self._advance(time))
+                parts.append(self._advance(min(time, self._fed)))
             except Break as event:
                 # islands have gone different ways: all go again, to where the line end came off
                 self.restore(saved)
                 self.control = self.control._replace(breaks=0)
                 parts.append(self._advance(event.time))
-                failures = {event.failure}
-            if not failures:
+                self._release({event.failure})
+                continue
+            if self._water is not None and self._fed < time:
+                self._water.go_on(self.built.state)
+            elif failures:
+                self._release(failures)
+            else:
                 break
-            self._release(failures)
         return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]} if parts[1:] else parts[0]
 
     def _advance(self, until: float) -> Block:
         times, node_times = self._times_up_to(until)
         watched = np.array(self.settings.watch, dtype=np.int64).reshape(-1, 2)
         record = new_record(self.built.system, times, node_times, watched)
-        self.run(until, self._due(self.duration)[0], record)
+        self.run(until, min(self._due(self.duration)[0], self._fed), record)
         self.time = until
         self._rows += len(times)
         self._node_rows += len(node_times)
@@ -244,6 +268,7 @@ class March:
         saved |= {f"clock_{k}": v.copy() for k, v in zip(self.clocks._fields, self.clocks, strict=True)}
         table = self.built.work.table
         saved |= {f"table_{k}": v.copy() for k, v in zip(table._fields, table, strict=True)}
+        saved["given"] = self.built.system.sea.given.copy()
         saved["leftover"] = self.control.leftover.copy()  # made from the state at time 0
         saved["counted"] = self._counted.copy()
         saved["march"] = np.array([self.time, self._rows, self._node_rows])
@@ -263,6 +288,7 @@ class March:
         ):  # fmt: skip
             for name, array in zip(target._fields, target, strict=True):
                 array[...] = saved[f"{prefix}_{name}"]
+        self.built.system.sea.given[...] = saved["given"]
         self.control.leftover[...] = saved["leftover"]
         self.time, self._rows, self._node_rows = (
             float(saved["march"][0]),

@@ -9,8 +9,6 @@ import numpy as np
 
 from moorage.layout import FLEXIBLE, HELD, Breaks, Riders, State, System, Work, new_state, new_work, rows_of
 from moorage.model import Attachment, Curve, Model, Motion
-from moorage.model import Current as SteadyCurrent
-from moorage.physics.current import Current
 from moorage.physics.morison import Morison
 from moorage.physics.motion import Tracks, no_tracks, spline_tracks
 from moorage.physics.point import PointLoads
@@ -23,7 +21,7 @@ from moorage.system.bends import build_bending
 from moorage.system.guess import hang_chains, place_guess
 from moorage.system.holders import Holders, holders_of, release
 from moorage.system.objects import Objects, build_rigid, rigid_rods, three
-from moorage.system.sea import build_sea
+from moorage.system.sea import build_current, build_sea
 from moorage.system.segments import NodeSum, segment_table
 from moorage.system.topology import islands_of
 
@@ -148,7 +146,7 @@ def build(
         friction=build_friction(model, to_nodes(d * l)),
         points=_points(model, len(holders.rest)),
         rigid=build_rigid(model, holders.objects.things, _reach(holders)),
-        current=_current(env.current),
+        current=build_current(env.current),
         sea=build_sea(env.waves),
         tracks=_tracks(motion, holders, clamps + axes),
     )
@@ -298,11 +296,6 @@ def _tracks(motion: Motion | None, holders: Holders, clamps: list[np.ndarray]) -
         return no_tracks(rest)
     turning = {len(holders.rest) + k: c for k, c in enumerate(clamps) if c.ndim == 2}
     return spline_tracks(rest, motion.time, holders.moved | turning)
-
-
-def _current(current: SteadyCurrent) -> Current:
-    velocity = np.array(current.velocity, float).reshape(-1, 3)
-    return Current(np.array(current.z, float), velocity, bool(velocity.any()))
 
 
 def _tension(l, segments) -> Tension:

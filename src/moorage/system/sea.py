@@ -1,13 +1,15 @@
-"""Waves of a model, in the arrays of the engine."""
+"""Waves and current of a model, in the arrays of the engine."""
 
 from __future__ import annotations
 
 import numpy as np
 
+from moorage.model import Current, CurrentGrid
 from moorage.model.waves import Waves
+from moorage.physics import current as flow
 from moorage.physics import sea as law
 
-STRETCHINGS = {"wheeler": law.WHEELER, "vertical": law.VERTICAL, "none": law.NONE}
+STRETCHINGS = {"wheeler": law.WHEELER, "vertical": law.VERTICAL, "linear": law.LINEAR, "none": law.NONE}
 INTERVALS = 20.0  # of the table in a peak period
 
 
@@ -16,9 +18,18 @@ def build_sea(waves: Waves | None) -> law.Sea:
     if waves is None or not np.any(waves.amplitude):
         return law.no_sea()
     return law.sea_of(
-        waves.amplitude, waves.frequency, waves.phase, waves.wavenumber, np.array(waves.direction), waves.depth,
-        STRETCHINGS[waves.stretching], waves.ramp, 0.0 if waves.exact else waves.peak_period / INTERVALS,
+        waves.amplitude, waves.elevations, waves.frequency, waves.phase, waves.wavenumber, np.array(waves.direction),
+        waves.depth, STRETCHINGS[waves.stretching], waves.ramp, 0.0 if waves.exact else waves.peak_period / INTERVALS,
     )  # fmt: skip
+
+
+def build_current(current: Current | CurrentGrid) -> flow.Current:
+    """Return the velocities of a current, as a grid of one column where it is a profile."""
+    grid = current
+    if isinstance(current, Current):
+        grid = CurrentGrid(z=current.z, velocity=np.array(current.velocity, float))
+    assert isinstance(grid, CurrentGrid)
+    return flow.current_of(grid.t, grid.x, grid.y, grid.z, grid.velocity, grid.turn)
 
 
 def with_interval(sea: law.Sea, step: float | None) -> law.Sea:

@@ -8,14 +8,14 @@ from moorage._jit import inlined, kernel
 from moorage._vec3 import get
 from moorage.layout import line_nodes, point_row
 from moorage.physics.current import current_at
-from moorage.physics.sea import ETA, A, U, grown, record_at
+from moorage.physics.sea import ETA, A, U, count, given_water, grown, is_given, record_at
 from moorage.physics.sea_table import FIELDS, look_up, set_row, step_path
 
 
 @kernel
 def set_water(lines, islands, sea, current, table, state, island, t):
     """Set elevation, velocity and acceleration of the water at all rows of an island at time t, if it moves."""
-    if len(sea.k) == 0 and not current.flows:
+    if count(sea) == 0 and not is_given(sea) and not current.flows:
         return
     share = grown(sea, t)[0]
     for m in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
@@ -34,9 +34,10 @@ def set_water(lines, islands, sea, current, table, state, island, t):
 def water_at_row(sea, current, table, position, water, island, i, t, share):
     """Set the water of one row; share: of the sea that has grown."""
     r, out = get(position, i), water[i]
-    if len(sea.k) == 0:
-        out[0] = 0.0
-        for c in range(1, FIELDS):
+    if is_given(sea):
+        given_water(sea, i, t, out)
+    elif count(sea) == 0:
+        for c in range(FIELDS):
             out[c] = 0.0
     elif sea.interval > 0.0:
         s = t / sea.interval - table.number[island]
@@ -46,23 +47,23 @@ def water_at_row(sea, current, table, position, water, island, i, t, share):
             out[c] = share * look_up(table.terms[i], s, dx, dy, dz, c)
     else:
         sum_of_waves(sea, r, t, table.scratch[island], table.after[i], out)
-    add_current(current, r[2], out)
+    add_current(current, r, t, out)
 
 
 @inlined
 def sum_of_waves(sea, r, t, scratch, record, out):
     """Set elevation, velocity and acceleration of the waves at a place by the sum over the components."""
     share = grown(sea, t)[0]
-    record_at(sea, r, t, share, scratch[0], scratch[1], record)
+    record_at(sea, r, t, share, scratch, record)
     out[0] = share * record[ETA]
     for c in range(3):
         out[1 + c], out[4 + c] = share * record[U + c], share * record[A + c]
 
 
 @inlined
-def add_current(current, z, out):
-    """Add the current at a level to the velocity of the water."""
-    flow = current_at(current, z)
+def add_current(current, r, t, out):
+    """Add the current at a place and time to the velocity of the water."""
+    flow = current_at(current, r, t)
     out[1] += flow[0]
     out[2] += flow[1]
     out[3] += flow[2]
@@ -72,20 +73,20 @@ def add_current(current, z, out):
 def sample_water(system, time, position, scratch, record, out):
     """Fill (n, 7) with elevation, velocity and acceleration of the water at times (n,) and places (n, 3).
 
-    scratch: (2, components) and record: (RECORD,) are overwritten.
+    scratch, see `physics.sea.scratch_for`, and record: (RECORD,) are overwritten.
     """
     for row in range(len(time)):
         for c in range(FIELDS):
             out[row, c] = 0.0
-        if len(system.sea.k) > 0:
+        if count(system.sea) > 0:
             sum_of_waves(system.sea, get(position, row), time[row], scratch, record, out[row])
-        add_current(system.current, position[row, 2], out[row])
+        add_current(system.current, get(position, row), time[row], out[row])
 
 
 @kernel
 def start_table(lines, islands, sea, table, position, velocity, island, t):
     """Fill the table of an island for the interval that begins at or before time t."""
-    if len(sea.k) > 0 and sea.interval > 0.0:
+    if count(sea) > 0 and sea.interval > 0.0:
         table.number[island] = math.floor(t / sea.interval + 1e-9) - 2
         for _ in range(2):  # first for the sums where the interval begins
             next_interval(lines, islands, sea, table, position, velocity, island, t)
@@ -94,7 +95,7 @@ def start_table(lines, islands, sea, table, position, velocity, island, t):
 @inlined
 def table_end(sea, table, island):
     """Time at which the interval of an island ends, s; infinity without a table."""
-    if len(sea.k) == 0 or sea.interval == 0.0:
+    if count(sea) == 0 or sea.interval == 0.0:
         return math.inf
     return (table.number[island] + 1) * sea.interval
 
@@ -122,8 +123,7 @@ def next_row(p, table, position, velocity, island, i, t):
         table.before[i, c] = table.after[i, c]
     step_path(table.start, table.end, i, position, velocity, end - t)
     grown0, grown1 = grown(p, begin), grown(p, end)
-    scratch = table.scratch
-    record_at(p, get(table.end, i), end, grown1[0], scratch[island, 0], scratch[island, 1], table.after[i])
+    record_at(p, get(table.end, i), end, grown1[0], table.scratch[island], table.after[i])
     set_row(
         p, table.terms[i], table.before[i], table.after[i], get(table.start, i), get(table.end, i), grown0, grown1,
         p.interval,

@@ -45,12 +45,14 @@ def read_environment(
         current=water.current,
         waves=water.waves,
         unread_water=water.unread,
+        host_waves=water.from_host,
     )
 
 
 def sources(values: Values) -> tuple[tuple[str, Source], ...]:
     """Return where the options stand that give the values of a model, by the names of those."""
     names = _NUMBERS | {"water_depth": "WtrDpth", "output_interval": "dtOut"}
+    names |= {"host_waves": "WaveKin"}
     return tuple((field, values[name].source) for field, name in names.items() if name in values)
 
 

@@ -6,8 +6,9 @@ from pathlib import Path
 
 import numpy as np
 
+from moorage.io.moordyn.currents import DYNAMIC, GRID
 from moorage.io.moordyn.layout import Flavour
-from moorage.model import Bathymetry, Current, Environment, Waves
+from moorage.model import Bathymetry, Current, CurrentGrid, Environment, Waves
 
 Pair = tuple[str, str]
 
@@ -82,6 +83,9 @@ def _friction(environment: Environment, flavour: str, notes: list[str]) -> list[
 
 def _water(environment: Environment, path: Path, flavour: str, notes: list[str]) -> list[Pair]:
     options = _waves(environment.waves, path, flavour, notes)
+    if environment.host_waves:
+        options += [("1", "WaveKin")] if flavour == "C" else []
+        notes += ["waves of a host cannot be said for MoorDyn-F"] if flavour == "F" else []
     waves = environment.unread_water
     if waves is not None and (waves.option == "WaterKin") == (flavour == "F"):
         notes.append(f"files of {waves.option} {waves.value} are named as they were, not copied")
@@ -91,6 +95,8 @@ def _water(environment: Environment, path: Path, flavour: str, notes: list[str])
     still = environment.current == Current()
     if still or any(name == "Currents" for _, name in options) or (waves and flavour == "F" and options):
         return options
+    if isinstance(environment.current, CurrentGrid):
+        return options + _grid(environment.current, path.parent, flavour, notes)
     if flavour == "C":
         _write_profile(environment.current, path.parent / "current_profile.txt")
         notes.append("the current is in current_profile.txt, the one name that MoorDyn-C reads in this folder")
@@ -109,6 +115,9 @@ def _waves(waves: Waves | None, path: Path, flavour: str, notes: list[str]) -> l
     if flavour == "F":
         notes.append("waves cannot be said for MoorDyn-F, which takes an elevation and a grid")
         return []
+    if waves.crests:
+        notes.append("the harmonics of a steep wave cannot be said for MoorDyn-C, whose waves are free ones")
+        return []
     for name, value in (("a ramp", waves.ramp), (f"{waves.stretching} stretching", waves.stretching != "wheeler")):
         if value:
             notes.append(f"{name} of the waves cannot be said for MoorDyn-C")
@@ -126,6 +135,41 @@ def _write_profile(current: Current, path: Path) -> None:
     rows = ["--- MoorDyn steady currents File ---", "Profile", "z (m) ux (m/s) uy (m/s) uz (m/s)"]
     rows += [" ".join(map(repr, (z, *v))) for z, v in zip(current.z, current.velocity, strict=True)]
     path.write_text("\n".join(rows) + "\n", "utf-8")
+
+
+def _grid(current: CurrentGrid, folder: Path, flavour: str, notes: list[str]) -> list[Pair]:
+    """Return the option of a current that changes, and write its file."""
+    if flavour == "F" or current.turn:
+        what = f"MoorDyn-{flavour}" if flavour == "F" else "MoorDyn-C: its grid is turned against the model's axes"
+        notes.append(f"a current over time and place cannot be said for {what}")
+        return []
+    profile = current.shape[1:3] == (1, 1) and current.shape[0] > 1
+    name, write, option = (DYNAMIC, _write_dynamic, "2") if profile else (GRID, _write_grid, "5")
+    write(current, folder / name)
+    notes.append(f"the current is in {name}, the one name that MoorDyn-C reads in this folder")
+    notes.append("MoorDyn-C starts the times of a current again after the last one, here that goes on")
+    return [(option, "Currents")]
+
+
+def _write_dynamic(current: CurrentGrid, path: Path) -> None:
+    rows = ["--- MoorDyn dynamic currents file ---", "levels (m), then time (s) and ux, uy, uz (m/s) at each", "", ""]
+    rows += [_numbers(*current.z), "-"]
+    rows += [_numbers(t, *v[0, 0].T.ravel()) for t, v in zip(current.t, current.velocity, strict=True)]
+    path.write_text("\n".join(rows) + "\n", "utf-8")
+
+
+def _write_grid(current: CurrentGrid, path: Path) -> None:
+    nt, nx, ny, nz = current.shape
+    axes = [*(_numbers(*axis) for axis in (current.x, current.y, current.z, current.t))]
+    points = [
+        _numbers(x, y, z, t, *current.velocity[a, i, j, k])
+        for i, x in enumerate(current.x)
+        for j, y in enumerate(current.y)
+        for k, z in enumerate(current.z)
+        for a, t in enumerate(current.t)
+    ]
+    # MoorDyn-C leaves out the first point, so that it comes twice
+    path.write_text("\n".join([f"{nx} {ny} {nz} {nt}", *axes, points[0], *points]) + "\n", "utf-8")
 
 
 def _write_water_file(current: Current, path: Path) -> None:

@@ -2,29 +2,35 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from math import radians
 from pathlib import Path
 from typing import NamedTuple
 
 from moorage.errors import ModelError, Source
-from moorage.io.moordyn import water_grid, wave_files
+from moorage.io.moordyn import currents, water_grid, wave_files
 from moorage.io.moordyn.options import Value
 from moorage.io.tables import current_profile, read_current
 from moorage.io.text import Findings, Row, is_number, read_text, rows, to_float
-from moorage.model import Current, UnreadWater, Waves
+from moorage.model import Current, CurrentGrid, UnreadWater, Waves
 
 _WAVE_MODES = (0, 1, 2, 3, 4, 5, 6, 7)
 _CURRENT_MODES = (0, 1, 2, 3, 4, 5)
+_CURRENT_FILES: dict[int, tuple[str, Callable[[Path, Findings, Source], Current | CurrentGrid]]] = {
+    1: ("current_profile.txt", read_current),
+    2: (currents.DYNAMIC, currents.read_changing_profile),
+    5: (currents.GRID, currents.read_current_grid),
+}
 _STEP = 0.25  # s, MoorDyn-C's dtWave
 
 
 class Water(NamedTuple):
-    """What moves the water: waves, a steady current, and what is asked for and not simulated."""
+    """What moves the water: waves, a current, what is asked for and not simulated, and whether a host gives waves."""
 
     waves: Waves | None = None
-    current: Current = Current()
+    current: Current | CurrentGrid = Current()
     unread: UnreadWater | None = None
+    from_host: bool = False
 
 
 class Surroundings(NamedTuple):
@@ -41,19 +47,20 @@ def read_water(values: dict[str, Value], around: Surroundings) -> Water:
     if "WaterKin" in values:
         return _water_file(values["WaterKin"], around)
     found = around.found
-    mode, currents = _mode(values, "WaveKin", _WAVE_MODES, found), _mode(values, "Currents", _CURRENT_MODES, found)
-    current = Current()
-    if currents == 1:
-        current = read_current(around.folder / "current_profile.txt", found, values["Currents"].source)
-    if mode in (1, 4, 5, 6):
+    mode, kind = _mode(values, "WaveKin", _WAVE_MODES, found), _mode(values, "Currents", _CURRENT_MODES, found)
+    if mode in (4, 5, 6):
         source = values["WaveKin"].source
         settings = tuple((name, values[name].word) for name in ("Currents", "dtWave") if name in values)
-        return Water(None, current, UnreadWater(option="WaveKin", value=str(mode), settings=settings, source=source))
+        return Water(unread=UnreadWater(option="WaveKin", value=str(mode), settings=settings, source=source))
+    current: Current | CurrentGrid = Current()
+    if kind in _CURRENT_FILES:
+        name, read = _CURRENT_FILES[kind]
+        current = read(around.folder / name, found, values["Currents"].source)
     unread = None
-    if currents > 1:
+    if kind in (3, 4):
         source = values["Currents"].source
-        unread = UnreadWater(option="Currents", value=str(currents), source=source)
-    return Water(_waves(mode, values, around) if mode else None, current, unread)
+        unread = UnreadWater(option="Currents", value=str(kind), source=source)
+    return Water(_waves(mode, values, around) if mode > 1 else None, current, unread, from_host=mode == 1)
 
 
 def _waves(mode: int, values: dict[str, Value], around: Surroundings) -> Waves | None:
@@ -107,10 +114,10 @@ def _water_file(value: Value, around: Surroundings) -> Water:
         return Water()
     wave_rows, current_rows = _section(lines, "WAVES"), _section(lines, "CURRENT")
     mode = _first_integer(wave_rows, "WaveKinMod", found, Source(str(path)))
-    currents = _first_integer(current_rows, "CurrentMod", found, Source(str(path)))
-    current = _profile(current_rows[1:], found, Source(str(path))) if currents == 1 else Current()
+    kind = _first_integer(current_rows, "CurrentMod", found, Source(str(path)))
+    current = _profile(current_rows[1:], found, Source(str(path))) if kind == 1 else Current()
     waves = _waves_of_f(wave_rows, mode, around) if mode in ELEVATION_MODES else None
-    refused = (mode and mode not in ELEVATION_MODES) or currents > 1
+    refused = (mode and mode not in ELEVATION_MODES) or kind > 1
     return Water(waves, current, asked if refused else None)
 
 
