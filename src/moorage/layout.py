@@ -31,6 +31,7 @@ from moorage.physics.motion import Tracks
 from moorage.physics.point import PointLoads
 from moorage.physics.sea import RECORD, Sea
 from moorage.physics.sea_table import FIELDS, TERMS
+from moorage.physics.soil import FRESH
 from moorage.physics.tension import Tension
 from moorage.physics.weight import Weight
 
@@ -95,6 +96,7 @@ class State(NamedTuple):
     acceleration: np.ndarray  # (rows, 3) m/s2, exact at the end of the step
     auxiliary: np.ndarray  # (rows, 3) m/s2, the averaged acceleration of Arnold and Bruls
     stuck: np.ndarray  # (rows, 3) m, where friction holds a node on the seabed; its position when it is off the bed
+    soil: np.ndarray  # (rows, 6) what the seabed remembers of a node, see `physics.soil`
     water: np.ndarray  # (rows, 7) elevation of the surface, m; velocity, m/s, and acceleration of the water, m/s2
 
 
@@ -145,7 +147,8 @@ class Weights(NamedTuple):
 
 def new_state(rows) -> State:
     """Return a state of zeros."""
-    return State(*(np.zeros((rows, FIELDS if name == "water" else 3)) for name in State._fields))
+    width = {"water": FIELDS, "soil": len(FRESH)}
+    return State(*(np.zeros((rows, width.get(name, 3))) for name in State._fields))
 
 
 def copy_of(state: State) -> State:
@@ -194,6 +197,19 @@ def water_of(state, i):
     """Elevation of the surface (m), velocity (m/s) and acceleration (m/s2) of the water at a row."""
     w = state.water
     return w[i, 0], (w[i, 1], w[i, 2], w[i, 3]), (w[i, 4], w[i, 5], w[i, 6])
+
+
+@inlined
+def memory_of(soil, state, i):
+    """What the seabed remembers of a node; nothing where its soil has no memory."""
+    m = state.soil
+    return (m[i, 0], m[i, 1], m[i, 2], m[i, 3], m[i, 4], m[i, 5]) if soil.on else FRESH
+
+
+@inlined
+def put_memory(state, i, memory):
+    m = state.soil
+    m[i, 0], m[i, 1], m[i, 2], m[i, 3], m[i, 4], m[i, 5] = memory
 
 
 @inlined

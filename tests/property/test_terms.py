@@ -49,6 +49,7 @@ from moorage.physics.morison import (
 )
 from moorage.physics.motion import follow, spline_tracks
 from moorage.physics.point import PointLoads, point_terms, wet_fraction
+from moorage.physics.soil import FRESH, Soil, no_soil, remember, resistance
 from moorage.physics.table import build_tables, interval, look_up
 from moorage.physics.tension import Tension, damping, elastic, segment_tension, tension_energy, tension_terms
 from moorage.physics.weight import wet_shares
@@ -403,7 +404,7 @@ def test_contact_and_friction_take_their_map_at_the_place_of_the_node():
     r, i, zero = (3.0, -7.0, -20.1), np.uintp(0), (0.0, 0.0, 0.0)
     grid = build_grid([0.0, 10.0], [-10.0, 0.0], [[1.0, 2.0], [3.0, 4.0]], [[0.2, 0.4], [0.6, 0.8]])
     soft = contact_on("flat")._replace(stiffness=grid, spring=np.array([100.0]))
-    assert contact_terms(soft, i, r, r, zero, STIFFNESS)[0] == pytest.approx(100.0 * 1.9 * 0.1)
+    assert contact_terms(soft, i, r, r, zero, FRESH, STIFFNESS)[0] == pytest.approx(100.0 * 1.9 * 0.1)
     rough = rubbing("elastic", 1.0, 1.0)._replace(map=grid)
     far = (4.0, -7.0, -20.1)
     assert friction_terms(rough, i, 50.0, UP, (1.0, 0.0, 0.0), r, zero, far, STIFFNESS)[0][0] == pytest.approx(95.0)
@@ -411,7 +412,7 @@ def test_contact_and_friction_take_their_map_at_the_place_of_the_node():
 
 
 def contact_on(bed):
-    return Contact(np.array([5e3]), np.array([700.0]), BEDS[bed], no_grid())
+    return Contact(np.array([5e3]), np.array([700.0]), BEDS[bed], no_grid(), no_soil())
 
 
 def on_an_edge(p, place):
@@ -449,14 +450,14 @@ def test_contact_block_is_the_symmetric_part_of_the_derivative(bed, place, befor
     r0, r = (*place, level - before), (*place, level - depth)
 
     def force(r, v):
-        N, n, _ = contact_terms(p, i, r0, r, v, STIFFNESS)
+        N, n, _ = contact_terms(p, i, r0, r, v, FRESH, STIFFNESS)
         return N * np.array(n)
 
-    K = full(contact_terms(p, i, r0, r, v, STIFFNESS)[2])
+    K = full(contact_terms(p, i, r0, r, v, FRESH, STIFFNESS)[2])
     D = -derivative(lambda *x: force(x, v), r)
     slack = 0.0 if bed in ("flat", "plane") else 700.0 * np.abs(v).max() * 0.05  # how the damper's n turns is left out
     assert np.abs(K - 0.5 * (D + D.T)).max() <= 1e-5 * 5e3 + slack
-    C = full(contact_terms(p, i, r0, r, v, DAMPING)[2])
+    C = full(contact_terms(p, i, r0, r, v, FRESH, DAMPING)[2])
     agree(C, -derivative(lambda *x: force(r, x), v), 1e-6, 700.0)
 
 
@@ -465,7 +466,7 @@ def test_contact_block_is_the_symmetric_part_of_the_derivative(bed, place, befor
 def test_bed_pushes_with_minus_the_gradient_of_its_energy(bed, place, depth):
     p, i = contact_on(bed), np.uintp(0)
     r = (*place, bed_at(p.bed, *place)[0] - depth)
-    N, n, _ = contact_terms(p, i, r, r, (0.0, 0.0, 0.0), STIFFNESS)
+    N, n, _ = contact_terms(p, i, r, r, (0.0, 0.0, 0.0), FRESH, STIFFNESS)
     if on_an_edge(p.bed, place):
         return
     agree(N * np.array(n), -derivative(lambda *x: [contact_energy(p, i, x)], r)[0], 1e-6, 5e3)

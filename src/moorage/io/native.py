@@ -40,6 +40,7 @@ from moorage.model import (
     Rod,
     RodType,
     Section,
+    Soil,
     StiffnessMap,
     UnreadWater,
     Waves,
@@ -112,7 +113,8 @@ def _environment(values: Values, folder: Path, found: Findings) -> Environment:
     if "map" in values.get("friction", ()):
         values = values | {"friction": values["friction"] | {"map": FrictionMap(**values["friction"]["map"])}}
     parts: dict[str, type] = {
-        "friction": Friction, "current": Current, "unread_water": UnreadWater, "seabed_stiffness_map": StiffnessMap,
+        "soil": Soil, "friction": Friction, "current": Current, "unread_water": UnreadWater,
+        "seabed_stiffness_map": StiffnessMap,
     }  # fmt: skip
     made = {
         key: parts[key](**value) if key in parts and isinstance(value, dict) else value

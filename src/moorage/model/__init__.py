@@ -23,6 +23,7 @@ from moorage.model.environment import (
     Friction,
     FrictionMap,
     Resampling,
+    Soil,
     StiffnessMap,
     UnreadWater,
 )
@@ -54,6 +55,7 @@ __all__ = [
     "Rod",
     "RodType",
     "Section",
+    "Soil",
     "StiffnessMap",
     "UnreadWater",
     "UnusedOption",

@@ -73,6 +73,8 @@ def begin_row(now, trial, stage, i):
     put(stage.velocity, i, get(now.velocity, i))
     put(stage.stuck, i, get(now.stuck, i))
     put(trial.stuck, i, get(now.stuck, i))
+    for x in range(now.soil.shape[1]):
+        stage.soil[i, x] = trial.soil[i, x] = now.soil[i, x]
 
 
 @inlined

@@ -15,9 +15,10 @@ import numpy as np
 
 from moorage._jit import inlined, kernel
 from moorage._vec3 import add, dot, get, put, scale, sub
-from moorage.layout import Weights, line_nodes, point_row
-from moorage.physics.contact import contact_terms, near_bed
+from moorage.layout import Weights, line_nodes, memory_of, point_row, put_memory
+from moorage.physics.contact import contact_terms, near_bed, penetration
 from moorage.physics.friction import ELASTIC, NONE, SOIL, STICK_SLIP, remembers, stuck_after
+from moorage.physics.soil import remember
 from moorage.solve.newton import assemble_island, newton_island, shift, solve_island
 from moorage.system.assemble import unit_or_zero
 from moorage.system.attach import attach
@@ -100,7 +101,8 @@ def implicit_step(system, now, trial, work, island, t, h, control):
     lines, islands = system.lines, system.islands
     k = generalised_alpha(control.rho, h)
     c = Weights(1.0, k.vv1 * k.new, k.rr1 * k.new)
-    rubs, fastest = system.friction.law != NONE, 0.0
+    soil = system.contact.soil.on
+    rubs, fastest = system.friction.law != NONE or soil, 0.0
     springs = system.friction.law == ELASTIC or system.friction.law == SOIL
     l0, l1 = islands.line_ptr[island], islands.line_ptr[island + 1]
     p0, p1 = islands.point_ptr[island], islands.point_ptr[island + 1]
@@ -116,7 +118,7 @@ def implicit_step(system, now, trial, work, island, t, h, control):
     for p in range(p0, p1):
         predict_row(now, trial, point_row(lines, islands.points[p]), k)
     attach(system, trial, work, island, t + h)
-    enough = newton_stop(control.newton, system.friction.law, fastest)
+    enough = newton_stop(control.newton, system.friction.law, system.contact.soil.on, fastest)
     converged, iterations, row, largest, part = False, 0, -1, 1e300, 1.0
     while iterations < control.iterations:
         newton_island(system, trial, now, work, island, c, t + h)
@@ -131,7 +133,7 @@ def implicit_step(system, now, trial, work, island, t, h, control):
         ):
             converged = True
             break
-        if remembers(system.friction) and largest > 0.7 * before:
+        if (remembers(system.friction) or soil) and largest > 0.7 * before:
             # a node jumps from slip one way to slip the other way and back: where it sticks lies between
             part *= 0.5
             shift(
@@ -156,13 +158,14 @@ def implicit_step(system, now, trial, work, island, t, h, control):
     return converged, iterations, math.sqrt(total / rows), row
 
 
-@kernel
+@inlined
 def stick_island(system, now, trial, sure, island):
-    """Set where friction holds the nodes of an island after the step from `now` to `trial`.
+    """Set where friction holds the nodes of an island, and what the soil remembers, after the step from `now` to `trial`.
 
     Most nodes are `sure` (rows,) to stay.
     """
-    if not remembers(system.friction):
+    sticks, soil = remembers(system.friction), system.contact.soil
+    if not (sticks or soil.on):
         return
     lines, islands = system.lines, system.islands
     c = Weights(0.0, 0.0, 0.0)
@@ -170,24 +173,28 @@ def stick_island(system, now, trial, sure, island):
         first, last = line_nodes(lines, islands.lines[m])
         for i in range(first, last + 1):
             r, before, held = get(trial.position, i), get(now.position, i), get(now.stuck, i)
-            if not near_bed(system.contact, before, r):
+            near, memory = near_bed(system.contact, before, r), memory_of(soil, now, i)
+            if not near:
                 held = r
-            elif not sure[i]:
+            elif sticks and not sure[i]:
                 v = get(trial.velocity, i)
                 q = unit_or_zero(sub(get(trial.position, min(i + 1, last)), get(trial.position, max(i - 1, first))))
-                N, n, _ = contact_terms(system.contact, np.uintp(i), before, r, v, c)
+                N, n, _ = contact_terms(system.contact, np.uintp(i), before, r, v, memory, c)
                 held = stuck_after(system.friction, np.uintp(i), N, n, q, r, v, held, c)
             put(trial.stuck, i, held)
+            if soil.on:
+                z = penetration(system.contact, r) if near else 0.0
+                put_memory(trial, i, remember(soil, np.uintp(i), memory, z))
 
 
 @inlined
-def newton_stop(newton, law, fastest):
+def newton_stop(newton, law, soil, fastest):
     """Velocity increment at which Newton's method stops, m/s; fastest: square of the largest speed in the island.
 
-    With friction, what a stop leaves behind must be small beside the motion, or nodes at rest creep; where friction
+    With friction, or soil that remembers, what a stop leaves behind must be small beside the motion, or nodes at rest creep; where friction
     falls with the speed it must be small in any case, or the next steps find no solution.
     """
-    if law == NONE:
+    if law == NONE and not soil:
         return newton
     return 0.04 * newton if law == STICK_SLIP else min(newton, max(0.04 * newton, 0.05 * math.sqrt(fastest)))
 
@@ -221,13 +228,16 @@ def set_accelerations(system, state, work, island, t):
 
 @kernel
 def start_island(system, state, work, island, t):
-    """Set consistent accelerations, true and auxiliary, at the start of a run."""
-    lines, islands = system.lines, system.islands
+    """Set consistent accelerations, true and auxiliary, and what the soil remembers, at the start of a run."""
+    lines, islands, soil = system.lines, system.islands, system.contact.soil
     set_accelerations(system, state, work, island, t)
     for m in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
         first, last = line_nodes(lines, islands.lines[m])
         for i in range(first, last + 1):
             put(state.auxiliary, i, get(state.acceleration, i))
+            if soil.on:
+                z = penetration(system.contact, get(state.position, i))
+                put_memory(state, i, remember(soil, np.uintp(i), memory_of(soil, state, i), z))
     for p in range(islands.point_ptr[island], islands.point_ptr[island + 1]):
         row = point_row(lines, islands.points[p])
         put(state.auxiliary, row, get(state.acceleration, row))

@@ -31,7 +31,7 @@ from moorage._vec3 import (
     sym_scale,
     sym_to_general,
 )  # fmt: skip
-from moorage.layout import line_nodes, water_of
+from moorage.layout import line_nodes, memory_of, water_of
 from moorage.physics.bending import (
     PAPER,
     PINNED,
@@ -116,8 +116,8 @@ def walk(system, state, start, line, i, last, carried, c):
     else:
         hydro = wet_part(system.morison, n, j_before, share_before, j, share)
     q = unit_or_zero(add(e_before, e))
-    a, before, stuck = get(state.acceleration, i), get(start.position, i), get(start.stuck, i)
-    force, own, held = node_terms(system, n, hydro, q, water_of(state, i), r, v, a, before, stuck, c)
+    a = get(state.acceleration, i)
+    force, own, held = node_terms(system, n, hydro, q, water_of(state, i), r, v, a, start, c)
     force = add(force, sub(pull, pull_before))
     force = force[0], force[1], force[2] + lift_before + share * buoyancy
     sink = c.stiffness * buoyancy
@@ -148,11 +148,11 @@ def add_zz(s, x):
 
 
 @inlined
-def node_terms(system, i, hydro, q, water, r, v, a, before, stuck, c):
+def node_terms(system, i, hydro, q, water, r, v, a, start, c):
     """Force and own block of inertia, drag, seabed and dry weight at a node, and whether friction surely holds it.
 
-    q: tangent of the line; water: elevation of the surface, velocity and acceleration of the water; before, stuck:
-    where the node was, and where friction held it, at the start of the step.
+    q: tangent of the line; water: elevation of the surface, velocity and acceleration of the water; start: the state at
+    the start of the step.
     """
     added_normal, added_axial, drag_normal, drag_axial, displaced = hydro
     mass = system.morison.mass[i]
@@ -160,21 +160,29 @@ def node_terms(system, i, hydro, q, water, r, v, a, before, stuck, c):
     drag, drag_block = drag_terms(drag_normal, drag_axial, q, sub(v, water[1]), c)
     swell = anisotropic(displaced + added_normal, displaced + added_axial, q, water[2])
     force, own, held = add(add(inertia, drag), swell), hydro_block(inertia_block, drag_block, q), False
-    if near_bed(system.contact, before, r):
-        bed, bed_block, held = bed_terms(system, i, q, r, v, before, stuck, c)
+    if near_bed(system.contact, get(start.position, i), r):
+        bed, bed_block, held = bed_terms(system, i, q, r, v, start, c)
         force, own = add(force, bed), sym_add(own, bed_block)
     return (force[0], force[1], force[2] + system.weight.dry[i]), own, held
 
 
 @inlined
-def bed_terms(system, i, q, r, v, before, stuck, c):
+def bed_terms(system, i, q, r, v, start, c):
     """Contact and friction of the seabed on a node, their block, and whether friction surely holds it."""
-    N, n, block = contact_terms(system.contact, i, before, r, v, c)
+    soil = system.contact.soil
+    N, n, block = contact_terms(system.contact, i, get(start.position, i), r, v, memory_of(soil, start, i), c)
     force, held = scale(N, n), False
-    if system.friction.law != NONE and N != 0.0:
-        rub, rub_block, held = friction_terms(system.friction, i, abs(N), n, q, r, v, stuck, c)
+    load = rubbing_load(soil, N)
+    if system.friction.law != NONE and load > 0.0:
+        rub, rub_block, held = friction_terms(system.friction, i, load, n, q, r, v, get(start.stuck, i), c)
         force, block = add(force, rub), sym_add(block, rub_block)
     return force, block, held
+
+
+@inlined
+def rubbing_load(soil, N):
+    """Load under which a node rubs, N: the size of the normal force, and nothing under suction."""
+    return max(N, 0.0) if soil.on else abs(N)
 
 
 @kernel

@@ -98,7 +98,7 @@ def build(
         bending=bending,
         weight=Weight(-env.gravity * mass, env.gravity * displaced, 0.5 * d),
         morison=Morison(mass, np.stack([to_nodes(h) for h in hydro.T], axis=1), hydro),
-        contact=build_contact(env, to_nodes(d * l)),
+        contact=build_contact(env, to_nodes(d * l), to_nodes(l)),
         friction=build_friction(model, to_nodes(d * l)),
         points=_points(model, len(holders.rest)),
         current=_current(env.current),
