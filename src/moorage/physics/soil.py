@@ -100,9 +100,9 @@ def branch(p, D, turn, z):
         stiff, stiff_slope = most, rise
     P, slope = hyperbola(P0, aim, aim_slope, stiff * K * abs(z - z0), K * (stiff_slope * abs(z - z0) + stiff * sense))
     first = most * K * z / (1.0 + K * z)
-    if P > first:
+    if first < P:
         return first, rise * K * z / (1.0 + K * z) + most * K / ((1.0 + K * z) * (1.0 + K * z))
-    if P < -p.suction * most:
+    if -p.suction * most > P:
         return -p.suction * most, -p.suction * rise
     return P, slope
 

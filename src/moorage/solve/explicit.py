@@ -39,7 +39,7 @@ def explicit_step(system, now, trial, work, island, t, h, order):
         for p in range(p0, p1):
             stage_row(now, trial, stage, point_row(lines, islands.points[p]), h * weight, h * ahead)
     set_accelerations(system, trial, work, island, t + h)
-    stick_island(system, now, trial, work.held, island)
+    stick_island(system, now, trial, work.load, island)
     fastest, where = 0.0, -1
     for m in range(l0, l1):
         first, last = line_nodes(lines, islands.lines[m])

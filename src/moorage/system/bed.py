@@ -46,8 +46,8 @@ def build_soil(env: Environment, area, length) -> Soil:
         return no_soil()
     lift = 0.0 if s.density is None else s.buoyancy_factor * (s.density - env.water_density) * env.gravity
     numbers = (
-        s.bearing_factor, s.bearing_exponent, s.shear_strength, s.strength_gradient, s.maximum_stiffness, s.suction_ratio,
-        s.suction_decay, s.repenetration_offset, lift,
+        s.bearing_factor, s.bearing_exponent, s.shear_strength, s.strength_gradient, s.maximum_stiffness,
+        s.suction_ratio, s.suction_decay, s.repenetration_offset, lift,
     )  # fmt: skip
     return Soil(True, length, area / length, *map(float, numbers))
 
