@@ -208,6 +208,7 @@ def memory_of(soil, state, i):
 
 @inlined
 def put_memory(state, i, memory):
+    """Set what the seabed remembers of a node."""
     m = state.soil
     m[i, 0], m[i, 1], m[i, 2], m[i, 3], m[i, 4], m[i, 5] = memory
 

@@ -49,7 +49,7 @@ from moorage.physics.morison import (
 )
 from moorage.physics.motion import follow, spline_tracks
 from moorage.physics.point import PointLoads, point_terms, wet_fraction
-from moorage.physics.soil import FRESH, Soil, no_soil, remember, resistance
+from moorage.physics.soil import FRESH, no_soil
 from moorage.physics.table import build_tables, interval, look_up
 from moorage.physics.tension import Tension, damping, elastic, segment_tension, tension_energy, tension_terms
 from moorage.physics.weight import wet_shares

@@ -25,6 +25,15 @@ class Key:
 
 _KIND = "one of fixed, coupled, free, pinned, coupled-pinned"
 
+_PLACE = {  # of a raster
+    "origin": Key("numbers", "m", "easting and northing of the model's origin in crs; 0, 0 by default"),
+    "heading": Key("number", "deg", "of the x axis, clockwise from the grid's north; 90 by default: to the east"),
+    "spacing": Key("number", "m", "of the grid; by default that of the raster"),
+    "extent": Key("numbers", "m", "lowest x, highest x, lowest y, highest y of the grid; by default all of it"),
+    "crs": Key("text", "-", "coordinate system of the origin, in metres: EPSG:32631, WKT, or metres"),
+    "file_crs": Key("text", "-", "coordinate system of the file, when it does not name one"),
+}
+
 SCHEMA: dict[str, dict[str, Key]] = {
     "model": {
         "moorage": Key("integer", "-", "version of this format: 1", True),
@@ -97,6 +106,17 @@ SCHEMA: dict[str, dict[str, Key]] = {
         "y": Key("numbers", "m", "grid in y, increasing", True),
         "stiffness": Key("table", "Pa/m", "one row for each x: stiffnesses on d l at every y", True),
     },
+    "friction map file": {
+        "axial_file": Key("text", "-", "raster of the coefficients along the line", True),
+        "transverse_file": Key("text", "-", "raster of those across the line; by default the same"),
+        **_PLACE,
+        "fill": Key("number or nearest", "-", "coefficient where a raster has none, or that of the nearest cell"),
+    },
+    "stiffness map file": {
+        "file": Key("text", "Pa/m", "raster of the stiffness", True),
+        **_PLACE,
+        "fill": Key("number or nearest", "Pa/m", "stiffness where the raster has none, or that of the nearest cell"),
+    },
     "bathymetry": {
         "x": Key("numbers", "m", "grid in x, increasing", True),
         "y": Key("numbers", "m", "grid in y, increasing", True),
@@ -105,13 +125,8 @@ SCHEMA: dict[str, dict[str, Key]] = {
     },
     "bathymetry file": {
         "file": Key("text", "-", "raster: .tif, .asc, .nc, .xyz, .csv or .txt", True),
-        "origin": Key("numbers", "m", "easting and northing of the model's origin in crs; 0, 0 by default"),
-        "heading": Key("number", "deg", "of the x axis, clockwise from the grid's north; 90 by default: to the east"),
-        "spacing": Key("number", "m", "of the depth grid; by default that of the raster"),
-        "extent": Key("numbers", "m", "lowest x, highest x, lowest y, highest y of the grid; by default all of it"),
+        **_PLACE,
         "fill": Key("number or nearest", "m", "depth where the raster has none, or that of the nearest cell"),
-        "crs": Key("text", "-", "coordinate system of the origin, in metres: EPSG:32631, WKT, or metres"),
-        "file_crs": Key("text", "-", "coordinate system of the file, when it does not name one"),
         "water_level": Key("number", "m", "height of the still water in the heights of the file"),
         "smooth": Key("flag", "-", "bicubic between the points, with a continuous normal; false: bilinear"),
     },
@@ -296,6 +311,8 @@ SCHEMA: dict[str, dict[str, Key]] = {
 # what an object is when it has a certain key
 BY_KEY = {
     "bathymetry": {"file": "bathymetry file"},
+    "friction map": {"axial_file": "friction map file"},
+    "stiffness map": {"file": "stiffness map file"},
     "waves": {"spectrum": "sea state", "file": "wave file"},
     "current": {"speed": "current in words"},
 }
@@ -311,7 +328,8 @@ def as_markdown() -> str:
         "",
         "What is not required has a default. A *curve* is a number, `{x: [...], y: [...]}`, or `{file: name}` with two",
         "columns; the z of a *position* may be the word `seabed`; an *end* is a point's number or name, or `rod 1 A`.",
-        "A *bathymetry* with the key `file` is a *bathymetry file*: a raster, see [the seabed](seabed.md);",
+        "A *bathymetry* with the key `file` is a *bathymetry file*: a raster, see [the seabed](seabed.md); so are a",
+        "*friction map* with the key `axial_file` and a *stiffness map* with the key `file`;",
         "*waves* with the key `spectrum` are a *sea state*, with the key `file` a *wave file*, see [waves](waves.md);",
         "a *current* with the key `speed` is a *current in words*.",
     ]

@@ -55,8 +55,9 @@ def near_bed(p, before, r):
 
 @inlined
 def contact_terms(p, i, before, r, v, memory, c):
-    """Normal force on node i (N, along n), n, and the block; before, memory: its position, and the soil's, at the start of
-    the step.
+    """Normal force on node i (N, along n), n, and the block.
+
+    before, memory: its position, and what the soil remembers, at the start of the step.
 
     The block keeps the symmetric part of how n turns on a curved bed, and leaves out how a map's stiffness changes.
     """

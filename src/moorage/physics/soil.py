@@ -60,7 +60,7 @@ def bearing(p, D, z):
 
 @inlined
 def turned(memory, z):
-    """Where the motion turned last (m, N/m), the greatest penetration before, and the sense, for a step that ends at z."""
+    """Where the motion turned last (m, N/m), the deepest turn before, and the sense, for a step that ends at z."""
     last, force, z0, P0, deepest, sense = memory
     if sense < 0.0:
         if z <= last:
