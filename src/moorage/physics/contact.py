@@ -58,10 +58,17 @@ def contact_terms(p, i, before, r, v, memory, c):
     """Normal force on node i (N, along n), n, and the block.
 
     before, memory: its position, and what the soil remembers, at the start of the step.
+    """
+    return contact_on(p, i, bed_at(p.bed, r[0], r[1]), before, r, v, memory, c)
+
+
+@inlined
+def contact_on(p, i, bed, before, r, v, memory, c):
+    """Same where the level and slopes of the bed under the node are known.
 
     The block keeps the symmetric part of how n turns on a curved bed, and leaves out how a map's stiffness changes.
     """
-    level, zx, zy, zxx, zxy, zyy = bed_at(p.bed, r[0], r[1])
+    level, zx, zy, zxx, zxy, zyy = bed
     depth = level - r[2]
     # the bed under the place before, continued from here: exact within a cell of a bilinear bed
     x, y = before[0] - r[0], before[1] - r[1]

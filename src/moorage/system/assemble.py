@@ -45,7 +45,8 @@ from moorage.physics.bending import (
     node_hinge,
     tabulated,
 )
-from moorage.physics.contact import contact_terms, near_bed
+from moorage.physics.bathymetry import bed_at
+from moorage.physics.contact import contact_on, near_bed
 from moorage.physics.friction import NONE, friction_terms
 from moorage.physics.morison import (
     anisotropic,
@@ -154,26 +155,29 @@ def node_terms(system, i, hydro, q, water, r, v, a, start, c):
     q: tangent of the line; water: elevation of the surface, velocity and acceleration of the water; start: the state at
     the start of the step.
     """
+    # looked up first, because it takes longest to come
+    near = near_bed(system.contact, get(start.position, i), r)
+    bed = bed_at(system.contact.bed, r[0], r[1]) if near else ZERO6
     added_normal, added_axial, drag_normal, drag_axial, displaced = hydro
     mass = system.morison.mass[i]
     inertia, inertia_block = inertia_terms(mass + added_normal, mass + added_axial, q, a, c)
     drag, drag_block = drag_terms(drag_normal, drag_axial, q, sub(v, water[1]), c)
     swell = anisotropic(displaced + added_normal, displaced + added_axial, q, water[2])
     force, own, load = add(add(inertia, drag), swell), hydro_block(inertia_block, drag_block, q), 0.0
-    if near_bed(system.contact, get(start.position, i), r):
-        bed, bed_block, load = bed_terms(system, i, q, r, v, start, c)
-        force, own = add(force, bed), sym_add(own, bed_block)
+    if near:
+        push, bed_block, load = bed_terms(system, i, bed, q, r, v, start, c)
+        force, own = add(force, push), sym_add(own, bed_block)
     return (force[0], force[1], force[2] + system.weight.dry[i]), own, load
 
 
 @inlined
-def bed_terms(system, i, q, r, v, start, c):
+def bed_terms(system, i, bed, q, r, v, start, c):
     """Contact and friction of the seabed on a node, their block, and the load (N) under which it rubs.
 
     The load is -1 where friction surely holds the node.
     """
     soil = system.contact.soil
-    N, n, block = contact_terms(system.contact, i, get(start.position, i), r, v, memory_of(soil, start, i), c)
+    N, n, block = contact_on(system.contact, i, bed, get(start.position, i), r, v, memory_of(soil, start, i), c)
     force, load = scale(N, n), rubbing_load(soil, N)
     if system.friction.law != NONE and load > 0.0:
         rub, rub_block, held = friction_terms(system.friction, i, load, n, q, r, v, get(start.stuck, i), c)
