@@ -11,7 +11,7 @@ from benchmarks.effort import FULL, QUICK
 from benchmarks.programs import ROOT
 from benchmarks.report import as_text, limits_table, store
 
-TABLES = ("chains", "cable", "statics", "hour", "spread", "coupling", "startup", "accuracy", "waves")
+TABLES = ("chains", "cable", "statics", "hour", "spread", "coupling", "startup", "accuracy", "waves", "seabed")
 
 
 def main() -> None:

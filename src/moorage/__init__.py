@@ -30,7 +30,7 @@ if TYPE_CHECKING:
         SimulationError,
         UnsupportedError,
     )
-    from moorage.io import convert, read, read_bathymetry
+    from moorage.io import convert, read, read_bathymetry, read_friction_map, read_stiffness_map
     from moorage.io.motion import Motion
     from moorage.model import Model
     from moorage.model.checks import suspicious
@@ -69,6 +69,8 @@ _HOMES = {
     "open_result": "results",
     "read": "io",
     "read_bathymetry": "io",
+    "read_friction_map": "io",
+    "read_stiffness_map": "io",
     "simulate": "run",
     "solve_statics": "run",
     "stiffness": "about_rest",
@@ -104,6 +106,8 @@ __all__ = [
     "plot",
     "read",
     "read_bathymetry",
+    "read_friction_map",
+    "read_stiffness_map",
     "results",
     "simulate",
     "solve_statics",

@@ -37,6 +37,7 @@ from moorage.physics.point import PointLoads
 from moorage.physics.rigid import RigidLoads
 from moorage.physics.sea import RECORD, Sea, scratch_for
 from moorage.physics.sea_table import FIELDS, TERMS
+from moorage.physics.soil import FRESH
 from moorage.physics.tension import Tension
 from moorage.physics.weight import Weight
 
@@ -140,6 +141,7 @@ class State(NamedTuple):
     acceleration: np.ndarray  # (rows, 3) m/s2, exact at the end of the step
     auxiliary: np.ndarray  # (rows, 3) m/s2, the averaged acceleration of Arnold and Bruls
     stuck: np.ndarray  # (rows, 3) m, where friction holds a node on the seabed; its position when it is off the bed
+    soil: np.ndarray  # (rows, 6) what the seabed remembers of a node, see `physics.soil`
     water: np.ndarray  # (rows, 7) elevation of the surface, m; velocity, m/s, and acceleration of the water, m/s2
     attitude: np.ndarray  # (objects, 9) rotation from an object's axes to global ones
     base: np.ndarray  # (objects, 9) the rotation at the start of the step
@@ -181,7 +183,7 @@ class Work(NamedTuple):
     increment: np.ndarray  # (rows, 3) solution of S x = force
     junction_matrix: np.ndarray  # (sum of (3 free)^2,) one dense matrix an island
     junction_force: np.ndarray  # (3 unknowns,)
-    held: np.ndarray  # (rows,) bool: far from slipping in the last iteration
+    load: np.ndarray  # (rows,) N, under which a node rubs on the bed, of the last iteration; -1: far from slipping
     direction: np.ndarray  # (lines, 2, 3) in which clamps point into the line at the time of the trial state
 
 
@@ -200,7 +202,7 @@ def rows_of(system: System) -> int:
 
 def new_state(rows: int, objects: int) -> State:
     """Return a state of zeros, with objects upright."""
-    width = {"water": FIELDS}
+    width = {"water": FIELDS, "soil": len(FRESH)}
     moving = {name: np.zeros((rows, width.get(name, 3))) for name in State._fields if name not in OF_OBJECTS}
     return State(**moving, **{name: np.tile(np.eye(3).ravel(), (objects, 1)) for name in OF_OBJECTS})
 
@@ -235,7 +237,7 @@ def new_work(system: System) -> Work:
         np.zeros((rows, 3)),
         np.zeros(int(system.islands.matrix_ptr[-1])),
         np.zeros(3 * len(system.islands.unknown_row)),
-        np.zeros(rows, dtype=np.bool_),
+        np.zeros(rows),
         np.zeros((len(system.lines.bends), 2, 3)),
     )
 
@@ -251,6 +253,20 @@ def water_of(state, i):
     """Elevation of the surface (m), velocity (m/s) and acceleration (m/s2) of the water at a row."""
     w = state.water
     return w[i, 0], (w[i, 1], w[i, 2], w[i, 3]), (w[i, 4], w[i, 5], w[i, 6])
+
+
+@inlined
+def memory_of(soil, state, i):
+    """What the seabed remembers of a node; nothing where its soil has no memory."""
+    m = state.soil
+    return (m[i, 0], m[i, 1], m[i, 2], m[i, 3], m[i, 4], m[i, 5]) if soil.on else FRESH
+
+
+@inlined
+def put_memory(state, i, memory):
+    """Set what the seabed remembers of a node."""
+    m = state.soil
+    m[i, 0], m[i, 1], m[i, 2], m[i, 3], m[i, 4], m[i, 5] = memory
 
 
 @inlined

@@ -19,6 +19,7 @@ ROWS = {
     "startup": 7,
     "accuracy": 34,
     "waves": 4,
+    "seabed": 10,
 }
 OURS = {
     "chains": "program",

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import dataclasses
+
 import numpy as np
 import pytest
 from moorings import CHAIN, again, at_rest, coupled, fixed, free, kind, line, mooring, spread, statics
@@ -9,7 +11,8 @@ from moorings import CHAIN, again, at_rest, coupled, fixed, free, kind, line, mo
 import moorage.solve.march as march_module
 from moorage.errors import MoorageError, SimulationError
 from moorage.layout import new_work
-from moorage.model import Model, Motion
+from moorage.model import Bathymetry, Friction, Model, Motion, Soil
+from moorage.model.seabed import place_on_seabed
 from moorage.solve.host import HostMarch
 from moorage.solve.march import March, Settings
 from moorage.solve.statics import solve
@@ -118,6 +121,31 @@ def test_checkpoint_brings_all_that_steps_depend_on():
         other = March(elsewhere, Settings(), DURATION)
         other.restore(saved)
         assert same(other.advance(DURATION), expected)
+
+
+@pytest.mark.parametrize("way", WAYS)
+def test_what_the_seabed_remembers_survives_blocks_checkpoints_and_rejected_steps(way):
+    """A soil with a memory and friction on a slope: cut up and restored, and what it remembers last is where nodes are."""
+    x = (-900.0, 900.0)
+    slope = Bathymetry(x, x, ((206.0, 206.0), (194.0, 194.0)))
+    bed = {"soil": Soil(shear_strength=3e3), "friction": Friction(axial=0.5, transverse=0.7), "bathymetry": slope}
+    plain = spread(12, **bed)
+    points = [p if p.kind != "fixed" else dataclasses.replace(p, on_seabed=True) for p in plain.points]
+    built = statics(place_on_seabed(dataclasses.replace(plain, points=tuple(points))), MOTION)
+    march = March(fresh(built), WAYS[way], 6.0)
+    whole = collect(march, [6.0])
+    state, n = march.built.state, built.names.node_ptr[-1]
+    place = state.position[:n]
+    depth = (np.array([-200.0 + place[:, 0] / 150.0]).ravel() - place[:, 2]) / np.hypot(1.0, 1.0 / 150.0)
+    assert state.soil[:n, 0] == pytest.approx(np.maximum(depth, 0.0), abs=1e-9)
+    assert (state.soil[:n, 4] > 0.0).any()  # some have turned
+    assert march.counters["rejected"] > 0 or way != "adaptive"
+    first = March(fresh(built), WAYS[way], 6.0)
+    begin = collect(first, [1.234, 3.0])
+    other = March(fresh(built), WAYS[way], 6.0)
+    other.restore(first.checkpoint())
+    rest = collect(other, [6.0])
+    assert same(whole, {name: np.concatenate([begin[name], rest[name]]) for name in begin})
 
 
 def test_host_steps_can_be_repeated(start):

@@ -6,7 +6,17 @@ import numpy as np
 import pytest
 from moorings import CHAIN, coupled, curve, fixed, free, kind, line, mooring, run, single, spread
 
-from moorage.model import Bathymetry, Current, CurrentGrid, Friction, FrictionMap, Model, Motion, StiffnessMap
+from moorage.model import (
+    Bathymetry,
+    Current,
+    CurrentGrid,
+    Friction,
+    FrictionMap,
+    Model,
+    Motion,
+    Soil,
+    StiffnessMap,
+)  # fmt: skip
 from moorage.solve.host import HostMarch
 from moorage.solve.march_kernel import march_islands, start_islands
 from moorage.solve.statics import solve
@@ -45,6 +55,7 @@ def models() -> dict[str, tuple[Model, Motion | None]]:
         "two segments, bent, held by a free point": (mooring(bent, (a, buoy), (line(1, 3, 1, ("rope", 12.0, 2)),)), None),
         "maps": (single(CHAIN, 34.0, 5, a, b, water_depth=20.0, **mapped), moved),
         "soil curves": (single(CHAIN, 34.0, 5, a, b, water_depth=20.0, friction=soil), moved),
+        "soil with a memory": (single(CHAIN, 34.0, 5, a, b, water_depth=20.0, soil=Soil(shear_strength=3000)), moved),
         "no water, no weight": (single(kind(), 30.0, 3, a, b, water_density=0.0, gravity=0.0), moved),
     }  # fmt: skip
 

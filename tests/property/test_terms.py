@@ -18,7 +18,7 @@ from scipy.interpolate import RegularGridInterpolator
 
 from moorage.layout import Weights
 from moorage.physics import friction as law
-from moorage.physics.bathymetry import EASE, bed_at, flat_bed, grid_bed
+from moorage.physics.bathymetry import EASE, bed_at, flat_bed, grid_bed, normal_of
 from moorage.physics.bending import (
     EXACT,
     PAPER,
@@ -49,6 +49,7 @@ from moorage.physics.morison import (
 )
 from moorage.physics.motion import follow, spline_tracks
 from moorage.physics.point import PointLoads, point_terms, wet_fraction
+from moorage.physics.soil import FRESH, Soil, no_soil, remember, resistance
 from moorage.physics.table import build_tables, interval, look_up
 from moorage.physics.tension import Tension, damping, elastic, segment_tension, tension_energy, tension_terms
 from moorage.physics.weight import wet_shares
@@ -403,7 +404,7 @@ def test_contact_and_friction_take_their_map_at_the_place_of_the_node():
     r, i, zero = (3.0, -7.0, -20.1), np.uintp(0), (0.0, 0.0, 0.0)
     grid = build_grid([0.0, 10.0], [-10.0, 0.0], [[1.0, 2.0], [3.0, 4.0]], [[0.2, 0.4], [0.6, 0.8]])
     soft = contact_on("flat")._replace(stiffness=grid, spring=np.array([100.0]))
-    assert contact_terms(soft, i, r, r, zero, STIFFNESS)[0] == pytest.approx(100.0 * 1.9 * 0.1)
+    assert contact_terms(soft, i, r, r, zero, FRESH, STIFFNESS)[0] == pytest.approx(100.0 * 1.9 * 0.1)
     rough = rubbing("elastic", 1.0, 1.0)._replace(map=grid)
     far = (4.0, -7.0, -20.1)
     assert friction_terms(rough, i, 50.0, UP, (1.0, 0.0, 0.0), r, zero, far, STIFFNESS)[0][0] == pytest.approx(95.0)
@@ -411,7 +412,7 @@ def test_contact_and_friction_take_their_map_at_the_place_of_the_node():
 
 
 def contact_on(bed):
-    return Contact(np.array([5e3]), np.array([700.0]), BEDS[bed], no_grid())
+    return Contact(np.array([5e3]), np.array([700.0]), BEDS[bed], no_grid(), no_soil())
 
 
 def on_an_edge(p, place):
@@ -449,14 +450,14 @@ def test_contact_block_is_the_symmetric_part_of_the_derivative(bed, place, befor
     r0, r = (*place, level - before), (*place, level - depth)
 
     def force(r, v):
-        N, n, _ = contact_terms(p, i, r0, r, v, STIFFNESS)
+        N, n, _ = contact_terms(p, i, r0, r, v, FRESH, STIFFNESS)
         return N * np.array(n)
 
-    K = full(contact_terms(p, i, r0, r, v, STIFFNESS)[2])
+    K = full(contact_terms(p, i, r0, r, v, FRESH, STIFFNESS)[2])
     D = -derivative(lambda *x: force(x, v), r)
     slack = 0.0 if bed in ("flat", "plane") else 700.0 * np.abs(v).max() * 0.05  # how the damper's n turns is left out
     assert np.abs(K - 0.5 * (D + D.T)).max() <= 1e-5 * 5e3 + slack
-    C = full(contact_terms(p, i, r0, r, v, DAMPING)[2])
+    C = full(contact_terms(p, i, r0, r, v, FRESH, DAMPING)[2])
     agree(C, -derivative(lambda *x: force(r, x), v), 1e-6, 700.0)
 
 
@@ -465,10 +466,45 @@ def test_contact_block_is_the_symmetric_part_of_the_derivative(bed, place, befor
 def test_bed_pushes_with_minus_the_gradient_of_its_energy(bed, place, depth):
     p, i = contact_on(bed), np.uintp(0)
     r = (*place, bed_at(p.bed, *place)[0] - depth)
-    N, n, _ = contact_terms(p, i, r, r, (0.0, 0.0, 0.0), STIFFNESS)
+    N, n, _ = contact_terms(p, i, r, r, (0.0, 0.0, 0.0), FRESH, STIFFNESS)
     if on_an_edge(p.bed, place):
         return
     agree(N * np.array(n), -derivative(lambda *x: [contact_energy(p, i, x)], r)[0], 1e-6, 5e3)
+
+
+SOIL = Soil(True, np.array([2.0]), np.array([0.1]), 6.0, 0.25, 5e3, 1.5e3, 200.0, 0.7, 0.6, 0.3, 7e3)
+TURNS = {"fresh": (), "turned up": (0.04,), "turned down": (0.04, 0.01), "turned often": (0.06, 0.02, 0.04, 0.03)}
+
+
+@FEW
+@given(st.sampled_from(sorted(TURNS)), st.sampled_from(("flat", "plane")), PLACES, st.floats(1e-4, 0.12))
+def test_soil_block_is_the_derivative_whatever_it_remembers(turns, bed, place, depth):
+    p, i, memory, zero = contact_on(bed)._replace(soil=SOIL), np.uintp(0), FRESH, (0.0, 0.0, 0.0)
+    for z in TURNS[turns]:
+        memory = remember(SOIL, i, memory, z)
+    n = np.array(normal_of(*bed_at(p.bed, *place)[1:3]))
+    if abs(depth - memory[0]) < 1e-4 or abs(depth - 0.1) < 1e-4 or on_an_edge(p.bed, place):
+        return  # stiffness jumps at a turn, and that of soil's lift is steep where the line is just covered
+    r = (*place, bed_at(p.bed, *place)[0] - depth / n[2])
+
+    def force(*r):
+        N, n, _ = contact_terms(p, i, r, r, zero, memory, STIFFNESS)
+        return N * np.array(n)
+
+    assert contact_terms(p, i, r, r, zero, memory, STIFFNESS)[0] == pytest.approx(resistance(SOIL, i, memory, depth)[0])
+    agree(full(contact_terms(p, i, r, r, zero, memory, STIFFNESS)[2]), -derivative(force, r, 1e-8), 1e-4, 2e7)
+
+
+def test_soil_does_not_jump_between_steps_nor_where_it_turns():
+    """Small ways up and down through any memory give small changes."""
+    i, memory = np.uintp(0), FRESH
+    way = np.concatenate([np.linspace(a, b, 200) for a, b in pairwise((0.0, 0.05, 0.03, 0.07, -0.01, 0.02, 0.0, 0.1))])
+    steps = []
+    for z in way:
+        before = resistance(SOIL, i, memory, float(memory[0]))[0]
+        steps.append(abs(resistance(SOIL, i, memory, float(z))[0] - before) / (abs(z - memory[0]) + 1e-12))
+        memory = remember(SOIL, i, memory, float(z))
+    assert max(steps[1:]) < 1.05 * 2.0 * 200.0 * 6.0 * (5e3 + 150.0)  # l k_max N_c s_u at 0.1 m, the greatest stiffness
 
 
 CURVES = build_tables([curve((0.0, 0.0), (2e-3, 0.3), (6e-3, 0.5)), curve((0.0, 0.0), (5e-3, 0.5), (2e-2, 0.8))])

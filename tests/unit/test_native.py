@@ -113,7 +113,7 @@ def test_convert_from_moordyn(deck, tmp_path):
 
 
 CLASSES = {
-    "model": m.Model, "environment": m.Environment, "friction": m.Friction, "bathymetry": m.Bathymetry,
+    "model": m.Model, "environment": m.Environment, "soil": m.Soil, "friction": m.Friction, "bathymetry": m.Bathymetry,
     "friction map": m.FrictionMap, "stiffness map": m.StiffnessMap, "current": m.Current, "waves": m.Waves,
     "unread water": m.UnreadWater, "line type": m.LineType, "point": m.Point, "line": m.Line,
     "section": m.Section, "buoyancy modules": m.BuoyancyModules, "bend stiffener": m.BendStiffener, "rod type": m.RodType, "rod": m.Rod, "body": m.Body, "failure": m.Failure,

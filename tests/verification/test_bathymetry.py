@@ -26,7 +26,7 @@ from moorage.errors import Source
 from moorage.io.bathymetry import read_bathymetry
 from moorage.io.text import Findings
 from moorage.model import Bathymetry
-from moorage.physics.bathymetry import bed_at, grid_bed, normal_of
+from moorage.physics.bathymetry import bed_at, grid_bed, normal_of, searched_bed_at
 
 X = np.array([-60.0, -45.0, -20.0, 0.0, 10.0, 40.0, 70.0])
 Y = np.array([-30.0, 0.0, 5.0, 50.0])
@@ -141,6 +141,16 @@ def test_random_grid_is_what_the_model_says():
     bed = grid_bed(X, Y, ROUGH)
     for x, y in RANDOM.uniform([X[0], Y[0]], [X[-1], Y[-1]], (300, 2)):
         assert bed_at(bed, x, y)[0] == pytest.approx(-depth_at(x, y), abs=1e-12)
+
+
+def test_even_grid_is_found_at_once():
+    """The cell of an even grid comes without a search: the same surface, inside and outside, for unlike counts."""
+    x, y = np.linspace(-70.0, 50.0, 9), np.linspace(10.0, 90.0, 6)
+    bed = grid_bed(x, y, 100.0 + RANDOM.normal(0.0, 3.0, (9, 6)))
+    assert bed.cell.shape == (8, 5, 4)
+    for place in RANDOM.uniform([-80.0, 0.0], [60.0, 100.0], (2000, 2)):
+        assert bed_at(bed, *place) == pytest.approx(searched_bed_at(bed, *place), rel=1e-11, abs=1e-11)
+    assert grid_bed(X, Y, ROUGH).cell.size == grid_bed(x, y, np.ones((9, 6)), smooth=True).cell.size == 0
 
 
 @pytest.mark.parametrize("smooth", [False, True])

@@ -13,7 +13,7 @@ from moorage.errors import ModelError, Problem, Source
 from moorage.io.current import current_grid, current_of, grid_as_plain
 from moorage.io.current_files import current_of_file
 from moorage.io.finish import checked
-from moorage.io.raster import read_bathymetry
+from moorage.io.native_seabed import bathymetry_of, friction_map_of, stiffness_map_of
 from moorage.io.schema import SCHEMA
 from moorage.io.sea_state import components, sea_state, tabled
 from moorage.io.text import Findings, read_text
@@ -21,7 +21,6 @@ from moorage.io.wave_spectra import sea_of_file
 from moorage.io.yaml_nodes import NodeReader, Values
 from moorage.model import (
     Attachment,
-    Bathymetry,
     BendStiffener,
     Body,
     BuoyancyModules,
@@ -33,7 +32,6 @@ from moorage.model import (
     ExternalLoad,
     Failure,
     Friction,
-    FrictionMap,
     Line,
     LineType,
     Model,
@@ -42,7 +40,7 @@ from moorage.model import (
     Rod,
     RodType,
     Section,
-    StiffnessMap,
+    Soil,
     UnreadWater,
     Waves,
 )
@@ -106,15 +104,18 @@ def _model(values: Values, folder: Path, found: Findings) -> Model:
 
 def _environment(values: Values, folder: Path, found: Findings) -> Environment:
     if "bathymetry" in values:
-        values = values | {"bathymetry": _seabed(values["bathymetry"], folder, found)}
+        values = values | {"bathymetry": bathymetry_of(values["bathymetry"], folder, found)}
     if "waves" in values:
         values = values | {"waves": _waves(values, folder, found)}
     if "current" in values:
         values = values | {"current": _current(values, folder, found)}
     if "map" in values.get("friction", ()):
-        values = values | {"friction": values["friction"] | {"map": FrictionMap(**values["friction"]["map"])}}
+        mu = friction_map_of(values["friction"]["map"], folder, found)
+        values = values | {"friction": values["friction"] | {"map": mu}}
+    if "seabed_stiffness_map" in values:
+        values = values | {"seabed_stiffness_map": stiffness_map_of(values["seabed_stiffness_map"], folder, found)}
     parts: dict[str, type] = {
-        "friction": Friction, "unread_water": UnreadWater, "seabed_stiffness_map": StiffnessMap,
+        "soil": Soil, "friction": Friction, "unread_water": UnreadWater,
     }  # fmt: skip
     made = {
         key: parts[key](**value) if key in parts and isinstance(value, dict) else value
@@ -151,22 +152,6 @@ def _waves(values: Values, folder: Path, found: Findings) -> Waves | None:
     if "spectrum" in asked:
         return sea_state(asked, water, found)
     return components(asked, water, found)
-
-
-def _seabed(values: Values, folder: Path, found: Findings) -> Bathymetry | None:
-    """Return the depth grid that is written out or in a raster; None, with problems noted, when there is none."""
-    if "file" not in values:
-        return Bathymetry(**values)
-    for key, count in (("origin", 2), ("extent", 4)):
-        if len(values.get(key, range(count))) != count:
-            found.add(f"{key} of the bathymetry has {len(values[key])} values", f"give {count}", values["source"])
-            return None
-    try:
-        return read_bathymetry(folder / values["file"], **{key: v for key, v in values.items() if key != "file"})
-    except ModelError as error:
-        found.extend(error.problems)
-        found.lost_rows = True
-        return None
 
 
 def _point(values: Values) -> Point:

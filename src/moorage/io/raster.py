@@ -1,4 +1,4 @@
-"""A raster of the seabed onto a depth grid in the model's axes.
+"""A raster of the seabed onto a grid in the model's axes.
 
 The model's x axis points along a compass heading h (clockwise from the grid's north), its y axis 90 degrees to the left
 of it, so that a place (x, y) is at the easting E0 + x sin h - y cos h and the northing N0 + x cos h + y sin h. Depths
@@ -9,7 +9,7 @@ centres of all cells that the grid covers.
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Literal
+from typing import Literal, NamedTuple
 
 import numpy as np
 
@@ -80,25 +80,46 @@ def read_bathymetry(
     """
     path = Path(path)
     place = source or Source(str(path))
-    raster = read_raster(path, source)
-    forth, back = to_file(raster, crs, file_crs, place)
-    axes = Axes(origin, heading, forth, back)
-    filled = raster._replace(z=_fill(raster.z, fill, water_level))
-    x, y = _grid(raster, axes, spacing, extent, place)
+    where = Where(origin, heading, spacing, extent, crs, file_crs)
+    height = water_level - fill if isinstance(fill, int | float) else fill
+    x, y, level, report = onto_grid(path, where, height, ("depth grid", "depth"), place)
+    depth = tuple(map(tuple, (water_level - level).tolist()))
+    return Bathymetry(tuple(x.tolist()), tuple(y.tolist()), depth, smooth, path.name, place, report)
+
+
+class Where(NamedTuple):
+    """Where a grid lies in the coordinates of a raster; see `read_bathymetry`."""
+
+    origin: tuple[float, float] = (0.0, 0.0)
+    heading: float = 90.0
+    spacing: float | None = None
+    extent: tuple[float, float, float, float] | None = None
+    crs: str | None = None
+    file_crs: str | None = None
+
+
+def onto_grid(path: Path, where: Where, fill: Fill | None, words: tuple[str, str], place: Source):
+    """Return x (nx,), y (ny,), the values (nx, ny) of a raster there, and what was lost.
+
+    `words` are what messages call the grid and its values; `fill` is a value of the raster, or "nearest".
+    """
+    name, thing = words
+    raster = read_raster(path, place)
+    forth, back = to_file(raster, where.crs, where.file_crs, place)
+    axes = Axes(where.origin, where.heading, forth, back)
+    filled = raster._replace(z=_fill(raster.z, fill))
+    x, y = _grid(raster, axes, where, name, place)
     east, north = axes.to_raster(*np.meshgrid(x, y, indexing="ij"))
-    level = bilinear(filled, east, north, beyond=fill is not None)
+    values = bilinear(filled, east, north, beyond=fill is not None)
     if isinstance(fill, int | float):
-        level[~covers(raster, east, north)] = water_level - fill
-    holes = np.argwhere(~np.isfinite(level))
+        values[~covers(raster, east, north)] = fill
+    holes = np.argwhere(~np.isfinite(values))
     if len(holes):
-        message = f"{len(holes)} of {level.size} points of the depth grid have no depth in {path.name}"
-        remedy = "give a smaller extent, or fill: nearest (or a depth in metres)"
+        message = f"{len(holes)} of {values.size} points of the {name} have no {thing} in {path.name}"
+        remedy = f"give a smaller extent, or fill: nearest (or a {thing})"
         i, j = holes[0]
         raise ModelError(Problem(f"{message}, the first at x {x[i]:g} m, y {y[j]:g} m", remedy, place))
-    grid = Raster(x, y, level, "", False)
-    depth = tuple(map(tuple, (water_level - level).tolist()))
-    report = _resampling(raster, axes, grid)
-    return Bathymetry(tuple(x.tolist()), tuple(y.tolist()), depth, smooth, path.name, place, report)
+    return x, y, values, _resampling(raster, axes, Raster(x, y, values, "", False))
 
 
 class Axes:
@@ -123,31 +144,31 @@ class Axes:
         return e * self.sin + n * self.cos, n * self.sin - e * self.cos
 
 
-def _fill(z: np.ndarray, fill: Fill | None, water_level: float) -> np.ndarray:
-    """Return heights with those that are missing filled in."""
+def _fill(z: np.ndarray, fill: Fill | None) -> np.ndarray:
+    """Return values with those that are missing filled in."""
     missing = ~np.isfinite(z)
     if fill is None or not missing.any():
         return z
     if fill != "nearest":
-        return np.where(missing, water_level - fill, z)
+        return np.where(missing, fill, z)
     from scipy.ndimage import distance_transform_edt  # noqa: PLC0415 (slow to load, and few rasters have holes)
 
     nearest = distance_transform_edt(missing, return_distances=False, return_indices=True)
     return z[tuple(nearest)]
 
 
-def _grid(raster: Raster, axes: Axes, spacing: float | None, extent, place: Source) -> tuple[np.ndarray, np.ndarray]:
-    """Return x and y of the depth grid."""
-    step = _spacing(raster, axes) if spacing is None else spacing
+def _grid(raster: Raster, axes: Axes, where: Where, name: str, place: Source) -> tuple[np.ndarray, np.ndarray]:
+    """Return x and y of the grid."""
+    step = _spacing(raster, axes) if where.spacing is None else where.spacing
     if not step > 0.0:
-        raise ModelError(Problem("spacing of the depth grid must be positive", "give metres", place, spacing))
-    x0, x1, y0, y1 = _covered(raster, axes) if extent is None else extent
+        raise ModelError(Problem(f"spacing of the {name} must be positive", "give metres", place, step))
+    x0, x1, y0, y1 = _covered(raster, axes) if where.extent is None else where.extent
     nx, ny = (int(np.floor((b - a) / step + 1e-9)) + 1 for a, b in ((x0, x1), (y0, y1)))
     if min(nx, ny) < 2:
-        message = f"extent of the depth grid is smaller than its spacing of {step:g} m"
+        message = f"extent of the {name} is smaller than its spacing of {step:g} m"
         raise ModelError(Problem(message, "give lowest x, highest x, lowest y, highest y", place, (x0, x1, y0, y1)))
     if nx * ny > MOST:
-        message = f"depth grid would have {nx} by {ny} points"
+        message = f"{name} would have {nx} by {ny} points"
         raise ModelError(Problem(message, "give a wider spacing, or a smaller extent", place))
     return x0 + step * np.arange(nx), y0 + step * np.arange(ny)
 

@@ -41,6 +41,14 @@ _USED = {
     "ramp": Key("number", "s", "over which the sea grows from nothing"),
     "exact": Key("flag", "-", "sum at every evaluation; false: along the nodes' paths, 20 times in a peak period"),
 }
+_PLACE = {  # of a raster
+    "origin": Key("numbers", "m", "easting and northing of the model's origin in crs; 0, 0 by default"),
+    "heading": Key("number", "deg", "of the x axis, clockwise from the grid's north; 90 by default: to the east"),
+    "spacing": Key("number", "m", "of the grid; by default that of the raster"),
+    "extent": Key("numbers", "m", "lowest x, highest x, lowest y, highest y of the grid; by default all of it"),
+    "crs": Key("text", "-", "coordinate system of the origin, in metres: EPSG:32631, WKT, or metres"),
+    "file_crs": Key("text", "-", "coordinate system of the file, when it does not name one"),
+}
 
 SCHEMA: dict[str, dict[str, Key]] = {
     "model": {
@@ -67,6 +75,7 @@ SCHEMA: dict[str, dict[str, Key]] = {
         "seabed_stiffness": Key("number", "Pa/m", "stiffness on the projected area d l of a line"),
         "seabed_stiffness_map": Key("stiffness map", "-", "stiffness over x and y, in place of seabed_stiffness"),
         "seabed_damping": Key("number", "Pa s/m", "damping on the projected area d l of a line"),
+        "soil": Key("soil", "-", "soil with suction and a memory, in place of stiffness and damping of the seabed"),
         "friction": Key("friction", "-", "friction of the seabed"),
         "bathymetry": Key("bathymetry", "-", "depths on a rectangular grid"),
         "current": Key("current", "-", "steady current by level, or over time and place"),
@@ -91,6 +100,18 @@ SCHEMA: dict[str, dict[str, Key]] = {
         "axial_curve": Key("curve", "m, -", "of soil-curves: displacement and mobilised coefficient along the line"),
         "transverse_curve": Key("curve", "m, -", "the same across the line"),
     },
+    "soil": {
+        "shear_strength": Key("number", "Pa", "undrained, at the mudline", True),
+        "strength_gradient": Key("number", "Pa/m", "its growth with depth"),
+        "bearing_factor": Key("number", "-", "a of the bearing capacity a (z/D)^b"),
+        "bearing_exponent": Key("number", "-", "b of the bearing capacity"),
+        "maximum_stiffness": Key("number", "-", "stiffness at every turn of the motion, times D over the bearing"),
+        "suction_ratio": Key("number", "-", "greatest suction over the bearing"),
+        "suction_decay": Key("number", "-", "uplift over which suction dies out, of the greatest penetration"),
+        "repenetration_offset": Key("number", "-", "how much deeper resistance is regained, of the uplift"),
+        "density": Key("number", "kg/m3", "of the saturated soil, which buoys the line; without it there is no lift"),
+        "buoyancy_factor": Key("number", "-", "of that lift, for soil that heaves"),
+    },
     "friction map": {
         "x": Key("numbers", "m", "grid in x, increasing; the edges go on outside", True),
         "y": Key("numbers", "m", "grid in y, increasing", True),
@@ -102,6 +123,17 @@ SCHEMA: dict[str, dict[str, Key]] = {
         "y": Key("numbers", "m", "grid in y, increasing", True),
         "stiffness": Key("table", "Pa/m", "one row for each x: stiffnesses on d l at every y", True),
     },
+    "friction map file": {
+        "axial_file": Key("text", "-", "raster of the coefficients along the line", True),
+        "transverse_file": Key("text", "-", "raster of those across the line; by default the same"),
+        **_PLACE,
+        "fill": Key("number or nearest", "-", "coefficient where a raster has none, or that of the nearest cell"),
+    },
+    "stiffness map file": {
+        "file": Key("text", "Pa/m", "raster of the stiffness", True),
+        **_PLACE,
+        "fill": Key("number or nearest", "Pa/m", "stiffness where the raster has none, or that of the nearest cell"),
+    },
     "bathymetry": {
         "x": Key("numbers", "m", "grid in x, increasing", True),
         "y": Key("numbers", "m", "grid in y, increasing", True),
@@ -110,13 +142,8 @@ SCHEMA: dict[str, dict[str, Key]] = {
     },
     "bathymetry file": {
         "file": Key("text", "-", "raster: .tif, .asc, .nc, .xyz, .csv or .txt", True),
-        "origin": Key("numbers", "m", "easting and northing of the model's origin in crs; 0, 0 by default"),
-        "heading": Key("number", "deg", "of the x axis, clockwise from the grid's north; 90 by default: to the east"),
-        "spacing": Key("number", "m", "of the depth grid; by default that of the raster"),
-        "extent": Key("numbers", "m", "lowest x, highest x, lowest y, highest y of the grid; by default all of it"),
+        **_PLACE,
         "fill": Key("number or nearest", "m", "depth where the raster has none, or that of the nearest cell"),
-        "crs": Key("text", "-", "coordinate system of the origin, in metres: EPSG:32631, WKT, or metres"),
-        "file_crs": Key("text", "-", "coordinate system of the file, when it does not name one"),
         "water_level": Key("number", "m", "height of the still water in the heights of the file"),
         "smooth": Key("flag", "-", "bicubic between the points, with a continuous normal; false: bilinear"),
     },
@@ -320,6 +347,8 @@ SCHEMA: dict[str, dict[str, Key]] = {
 # what an object is when it has a certain key
 BY_KEY = {
     "bathymetry": {"file": "bathymetry file"},
+    "friction map": {"axial_file": "friction map file"},
+    "stiffness map": {"file": "stiffness map file"},
     "waves": {"density": "spectrum table", "spectrum": "sea state", "file": "wave file"},
     "current": {"speed": "current in words", "file": "current file", "t": "current grid", "x": "current grid"},
 }
@@ -335,7 +364,8 @@ def as_markdown() -> str:
         "",
         "What is not required has a default. A *curve* is a number, `{x: [...], y: [...]}`, or `{file: name}` with two",
         "columns; the z of a *position* may be the word `seabed`; an *end* is a point's number or name, or `rod 1 A`.",
-        "A *bathymetry* with the key `file` is a *bathymetry file*: a raster, see [the seabed](seabed.md);",
+        "A *bathymetry* with the key `file` is a *bathymetry file*: a raster, see [the seabed](seabed.md); so are a",
+        "*friction map* with the key `axial_file` and a *stiffness map* with the key `file`;",
         "*waves* with the key `spectrum` are a *sea state*, with `density` a *spectrum table*, with `file` a *wave",
         "file*, see [waves](waves.md);",
         "a *current* with the key `speed` is a *current in words*, with `file` a *current file*, with `t` or `x` a",

@@ -24,6 +24,7 @@ from moorage.model.environment import (
     Friction,
     FrictionMap,
     Resampling,
+    Soil,
     StiffnessMap,
     UnreadWater,
 )
@@ -56,6 +57,7 @@ __all__ = [
     "Rod",
     "RodType",
     "Section",
+    "Soil",
     "StiffnessMap",
     "UnreadWater",
     "UnusedOption",

@@ -9,7 +9,7 @@ from math import isfinite
 from moorage.errors import Problem
 from moorage.model.bed_doubts import extent, is_inside
 from moorage.model.components import Curve
-from moorage.model.environment import Bathymetry, Friction, FrictionMap, StiffnessMap
+from moorage.model.environment import Bathymetry, Friction, FrictionMap, Soil, StiffnessMap
 from moorage.model.model import Model
 from moorage.model.seabed import is_anchor
 
@@ -98,6 +98,37 @@ def _curve_problems(friction: Friction) -> Iterator[Problem]:
         if any(b < a for a, b in pairwise(curve.y)):
             remedy = "give its residual: a peak that is lost by slipping is not simulated"
             yield Problem(f"{name} of friction falls", remedy, friction.source)
+
+
+def soil_is_possible(model: Model) -> Iterator[Problem]:
+    """A soil bears something, its numbers have the signs that they must, and nothing else gives the normal force."""
+    env, soil = model.environment, model.environment.soil
+    if soil is None:
+        return
+    yield from _soil_signs(soil)
+    if soil.shear_strength == 0.0 and soil.strength_gradient == 0.0:
+        message = "soil has no strength"
+        yield Problem(message, "give shear_strength or strength_gradient", soil.source)
+    if soil.density is not None and not soil.density > env.water_density:
+        message = f"density of the soil is not above that of the water, {env.water_density:g} kg/m3"
+        yield Problem(message, "give that of the saturated soil, or leave it out", soil.source, soil.density)
+    if env.seabed_stiffness_map is not None:
+        message = "seabed has a soil and a map of the stiffness"
+        yield Problem(message, "give one of soil and seabed_stiffness_map", soil.source)
+
+
+def _soil_signs(soil: Soil) -> Iterator[Problem]:
+    for name in ("bearing_factor", "maximum_stiffness", "suction_decay"):
+        if not getattr(soil, name) > 0.0:
+            message = f"{name.replace('_', ' ')} of the soil must be positive"
+            yield Problem(message, "correct the value", soil.source, getattr(soil, name))
+    for name in (
+        "shear_strength", "strength_gradient", "bearing_exponent", "suction_ratio", "repenetration_offset",
+        "buoyancy_factor",
+    ):  # fmt: skip
+        if getattr(soil, name) < 0.0:
+            message = f"{name.replace('_', ' ')} of the soil must not be negative"
+            yield Problem(message, "correct the value", soil.source, getattr(soil, name))
 
 
 def maps_are_grids(model: Model) -> Iterator[Problem]:

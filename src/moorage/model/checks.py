@@ -9,7 +9,13 @@ from math import isfinite
 from typing import Any
 
 from moorage.errors import ModelError, Problem, Source
-from moorage.model.bed_checks import anchors_are_on_the_grid, depths_are_positive, friction_is_possible, maps_are_grids
+from moorage.model.bed_checks import (
+    anchors_are_on_the_grid,
+    depths_are_positive,
+    friction_is_possible,
+    maps_are_grids,
+    soil_is_possible,
+)
 from moorage.model.bed_doubts import anchors_over_the_bed, points_off_the_grid, weak_friction
 from moorage.model.cables import (
     clamps_face_their_lines,
@@ -348,6 +354,7 @@ CHECKS: tuple[Check, ...] = (
     numbers_are_finite,
     environment_is_possible,
     friction_is_possible,
+    soil_is_possible,
     maps_are_grids,
     depths_are_positive,
     current_is_possible,

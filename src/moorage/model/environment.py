@@ -157,6 +157,48 @@ class Friction:
         return max((value for table in tables for row in table for value in row), default=0.0)
 
 
+@dataclass(frozen=True, kw_only=True)
+class Soil:
+    """A soil that holds back by suction and remembers how it was pressed, after Randolph & Quiggin (2009).
+
+    It takes the place of `seabed_stiffness` and `seabed_damping` in the normal force.
+
+    Parameters
+    ----------
+    shear_strength : float
+        Undrained, at the mudline, Pa.
+    strength_gradient : float
+        Its growth with depth, Pa/m.
+    bearing_factor, bearing_exponent : float
+        a and b of the bearing capacity N_c = a (z / D)^b of a line of diameter D at the penetration z.
+    maximum_stiffness : float
+        k_max: every turn of the motion meets the stiffness k_max P_u / D, P_u = N_c s_u D, for a metre.
+    suction_ratio : float
+        Greatest suction over P_u.
+    suction_decay : float
+        Suction dies out with uplift over this part of the greatest penetration.
+    repenetration_offset : float
+        Resistance is back on its first curve this part of the uplift deeper than it was before.
+    density : float or None
+        Of the saturated soil, kg/m3: its weight above that of water buoys the line by `buoyancy_factor` times what the
+        line displaces. Without it there is no such lift.
+    buoyancy_factor : float
+        For soil that heaves beside the line.
+    """
+
+    shear_strength: float
+    strength_gradient: float = 0.0
+    bearing_factor: float = 6.0
+    bearing_exponent: float = 0.25
+    maximum_stiffness: float = 200.0
+    suction_ratio: float = 0.7
+    suction_decay: float = 0.6
+    repenetration_offset: float = 0.3
+    density: float | None = None
+    buoyancy_factor: float = 1.5
+    source: Source | None = field(default=None, compare=False, repr=False)
+
+
 @dataclass(frozen=True)
 class Current:
     """A steady current: levels z (n,) m, increasing, and velocity (n, 3) m/s; constant above and below them."""
@@ -197,6 +239,8 @@ class Environment:
     host_waves : bool
         Waves come from the program that moves the mooring (`Simulation.set_water`) or a function (`simulate`'s
         `water`), and not from `waves`.
+    soil : Soil or None
+        Soil with suction and a memory, in place of stiffness and damping in the normal force.
     """
 
     water_depth: float
@@ -205,6 +249,7 @@ class Environment:
     seabed_stiffness: float = 3.0e6
     seabed_damping: float = 3.0e5
     seabed_stiffness_map: StiffnessMap | None = None
+    soil: Soil | None = None
     friction: Friction | None = None
     bathymetry: Bathymetry | None = None
     current: Current | CurrentGrid = Current()

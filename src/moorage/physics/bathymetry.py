@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from moorage._jit import inlined
+from moorage._jit import inlined, kernel
 from moorage.physics.grid import Axis, build_axis, locate
 
 EASE = 0.01  # of a cell, beside its edges, where the slopes of two cells meet
@@ -26,7 +26,8 @@ class Bathymetry(NamedTuple):
     x: Axis  # nx points; none: a flat bed
     y: Axis  # ny points
     level: np.ndarray  # (nx, ny) z of the bed, m
-    slope: np.ndarray  # (nx, ny, 3) z_x, z_y, z_xy at the grid points, for the smooth surface
+    slope: np.ndarray  # (nx, ny, 3) z_x, z_y, z_xy at the grid points, of a smooth surface
+    cell: np.ndarray  # (nx - 1, ny - 1, 4) value and rises of the cells, of a bilinear surface on even spacing
     flat: float  # z of a flat bed, m
     highest: float  # no part of the bed is above this, m
     smooth: bool
@@ -35,8 +36,9 @@ class Bathymetry(NamedTuple):
 def flat_bed(level: float) -> Bathymetry:
     """Return a level bed at z = level (m)."""
     return Bathymetry(
-        build_axis(()), build_axis(()), np.zeros((0, 0)), np.zeros((0, 0, 3)), float(level), float(level), False
-    )
+        build_axis(()), build_axis(()), np.zeros((0, 0)), np.zeros((0, 0, 3)), np.zeros((0, 0, 4)), float(level),
+        float(level), False,
+    )  # fmt: skip
 
 
 def grid_bed(x, y, depth, smooth: bool = False) -> Bathymetry:
@@ -50,7 +52,19 @@ def grid_bed(x, y, depth, smooth: bool = False) -> Bathymetry:
     steps = max(np.diff(x).max(initial=0.0), np.diff(y).max(initial=0.0))
     rise = 0.25 * steps * float(np.abs(slope[:, :, :2]).max(initial=0.0)) if smooth else 0.0
     axes = build_axis(x), build_axis(y)
-    return Bathymetry(*axes, np.ascontiguousarray(level), slope, 0.0, float(level.max()) + rise, smooth)
+    cell = cells_of(level) if is_even(x) and is_even(y) and not smooth else np.zeros((0, 0, 4))
+    return Bathymetry(*axes, np.ascontiguousarray(level), slope, cell, 0.0, float(level.max()) + rise, smooth)
+
+
+def is_even(axis) -> bool:
+    """Return whether an axis has two points or more, in even spacing to rounding."""
+    return len(axis) > 1 and float(np.ptp(np.diff(axis))) <= 1e-14 * float(np.abs(axis).max()) * len(axis)
+
+
+def cells_of(level) -> np.ndarray:
+    """Return a, b, c, d of the levels a + b u + c v + d u v in the cells of a grid (nx, ny)."""
+    a, b, c = level[:-1, :-1], level[1:, :-1] - level[:-1, :-1], level[:-1, 1:] - level[:-1, :-1]
+    return np.ascontiguousarray(np.stack([a, b, c, level[1:, 1:] - level[1:, :-1] - c], axis=2))
 
 
 @inlined
@@ -58,6 +72,22 @@ def bed_at(p, x, y):
     """Level (m), slopes z_x and z_y (-), and z_xx, z_xy, z_yy (1/m) of the bed at a place."""
     if len(p.x.at) == 0:
         return p.flat, 0.0, 0.0, 0.0, 0.0, 0.0
+    # the way of nearly all nodes, for which a search of the cell costs as much as all other terms of the bed
+    s, t = (x - p.x.at[0]) * p.x.rate, (y - p.y.at[0]) * p.y.rate
+    if 0.0 <= s < p.cell.shape[0] and 0.0 <= t < p.cell.shape[1]:
+        k, m = int(s), int(t)
+        u, v = s - k, t - m
+        if EASE <= u <= 1.0 - EASE and EASE <= v <= 1.0 - EASE:
+            i, j = np.uintp(k), np.uintp(m)
+            a, b, c, d = p.cell[i, j, 0], p.cell[i, j, 1], p.cell[i, j, 2], p.cell[i, j, 3]
+            zu, zv = b + d * v, c + d * u
+            return a + b * u + zv * v, zu * p.x.rate, zv * p.y.rate, 0.0, d * p.x.rate * p.y.rate, 0.0
+    return searched_bed_at(p, x, y)
+
+
+@kernel
+def searched_bed_at(p, x, y):
+    """Same at any place of any grid."""
     i, i1, u, per_x = locate(p.x, x)
     j, j1, v, per_y = locate(p.y, y)
     dx, dy = p.x.at[i1] - p.x.at[i], p.y.at[j1] - p.y.at[j]
@@ -144,6 +174,13 @@ def bicubic(p, i, i1, j, j1, dx, dy, u, v):
                 out[5] + f * (h2 * z + k2 * zy) + g * (h2 * zx + k2 * zxy),
             )
     return out
+
+
+@inlined
+def normal_at(p, r):
+    """Unit normal of the bed at a place, upwards."""
+    _, zx, zy, _, _, _ = bed_at(p, r[0], r[1])
+    return normal_of(zx, zy)
 
 
 @inlined

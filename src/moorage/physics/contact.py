@@ -6,6 +6,8 @@ On a curved bed this force is no energy's gradient. As written the damper switch
 the bed, and then some implicit steps have no solution at all. Here the damper acts for the fraction of the step that
 the node spends in contact. That is continuous in the unknown position, needs no regularising depth, and tends to the
 law above as the step goes to zero.
+
+A soil that remembers (soil.py) takes the place of spring and damper where it is asked for.
 """
 
 from __future__ import annotations
@@ -18,6 +20,7 @@ from moorage._jit import inlined
 from moorage._vec3 import dot, isotropic_plus, sym_add, sym_outer
 from moorage.physics.bathymetry import Bathymetry, bed_at, normal_of
 from moorage.physics.grid import Grid, values_at
+from moorage.physics.soil import Soil, resistance
 
 
 class Contact(NamedTuple):
@@ -27,6 +30,7 @@ class Contact(NamedTuple):
     damper: np.ndarray  # (nodes,) cb d l, N s/m
     bed: Bathymetry
     stiffness: Grid  # map of kb, Pa/m (its second value is not used); no points: the same everywhere
+    soil: Soil
 
 
 @inlined
@@ -50,12 +54,21 @@ def near_bed(p, before, r):
 
 
 @inlined
-def contact_terms(p, i, before, r, v, c):
-    """Normal force on node i (N, along n), n, and the block; before: its position at the start of the step.
+def contact_terms(p, i, before, r, v, memory, c):
+    """Normal force on node i (N, along n), n, and the block.
+
+    before, memory: its position, and what the soil remembers, at the start of the step.
+    """
+    return contact_on(p, i, bed_at(p.bed, r[0], r[1]), before, r, v, memory, c)
+
+
+@inlined
+def contact_on(p, i, bed, before, r, v, memory, c):
+    """Same where the level and slopes of the bed under the node are known.
 
     The block keeps the symmetric part of how n turns on a curved bed, and leaves out how a map's stiffness changes.
     """
-    level, zx, zy, zxx, zxy, zyy = bed_at(p.bed, r[0], r[1])
+    level, zx, zy, zxx, zxy, zyy = bed
     depth = level - r[2]
     # the bed under the place before, continued from here: exact within a cell of a bilinear bed
     x, y = before[0] - r[0], before[1] - r[1]
@@ -63,20 +76,32 @@ def contact_terms(p, i, before, r, v, c):
     if depth <= 0.0 and depth_before <= 0.0:
         return 0.0, (0.0, 0.0, 1.0), (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     n = normal_of(zx, zy)
-    fraction, ramp = contact_fraction(depth_before, depth)
-    spring = spring_at(p, i, r)
-    elastic = spring * max(depth, 0.0) * n[2]
-    speed = dot(v, n)
-    damper = fraction * p.damper[i]
-    touching = 1.0 if depth > 0.0 else 0.0
     # d depth / dr = -n / n_z
-    stiff = c.stiffness * touching * spring + c.damping * damper
-    if ramp != 0.0:
-        stiff -= c.stiffness * ramp * p.damper[i] * speed / n[2]
+    if p.soil.on:
+        elastic, rise = resistance(p.soil, i, memory, depth * n[2])
+        drag, stiff = 0.0, c.stiffness * rise
+    else:
+        fraction, ramp = contact_fraction(depth_before, depth)
+        spring = spring_at(p, i, r)
+        elastic = spring * max(depth, 0.0) * n[2]
+        speed = dot(v, n)
+        damper = fraction * p.damper[i]
+        drag = damper * speed
+        touching = 1.0 if depth > 0.0 else 0.0
+        stiff = c.stiffness * touching * spring + c.damping * damper
+        if ramp != 0.0:
+            stiff -= c.stiffness * ramp * p.damper[i] * speed / n[2]
     block = isotropic_plus(0.0, stiff, n)
     if zxx != 0.0 or zxy != 0.0 or zyy != 0.0:
         block = sym_add(block, curvature_block(c.stiffness * elastic, n, zxx, zxy, zyy))
-    return elastic - damper * speed, n, block
+    return elastic - drag, n, block
+
+
+@inlined
+def penetration(p, r):
+    """How far below the bed a place is, along its normal, m; negative above it."""
+    level, zx, zy, _, _, _ = bed_at(p.bed, r[0], r[1])
+    return (level - r[2]) * normal_of(zx, zy)[2]
 
 
 @inlined

@@ -34,7 +34,7 @@ from moorage.physics.table import Tables
 
 NONE, SATURATED, VELOCITY, ELASTIC, STICK_SLIP, SOIL = 0, 1, 2, 3, 4, 5
 ZERO3 = (0.0, 0.0, 0.0)
-ZERO6 = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+FAR = 4.0  # share that means: the load is far inside the ellipse
 
 
 class Friction(NamedTuple):
@@ -60,11 +60,18 @@ def remembers(p):
 
 
 @inlined
-def split_directions(q, n):
-    """Unit vector along the line in the plane of the bed; zero where the line stands on the bed."""
+def direction_along(q, n):
+    """Part of q in the plane of the bed and its square, or zero and one where the line stands on the bed."""
     t = sub(q, scale(dot(q, n), n))
     size = dot(t, t)
-    return scale(1.0 / math.sqrt(size), t) if size > 1e-6 else ZERO3
+    return (t, size) if size > 1e-6 * dot(q, q) else (ZERO3, 1.0)
+
+
+@inlined
+def split_directions(q, n):
+    """Unit vector along the line in the plane of the bed; zero where the line stands on the bed."""
+    t, size = direction_along(q, n)
+    return scale(1.0 / math.sqrt(size), t)
 
 
 @inlined
@@ -81,24 +88,25 @@ def friction_terms(p, i, N, n, q, r, v, stuck, c):
     if p.law == SOIL:
         force, block, _ = soil_terms(p.curves, N, n, split_directions(q, n), way_along(n, r, stuck), c)
         return force, block, False
-    trial = trial_force(p, i, n, w, r, stuck)
-    load = overload(p, mu, N, n, q, w, trial)
+    trial = trial_force(p, i, n, v, r, stuck)
+    share = share_given(p, mu, N, n, q, w, trial)
     spring = c.stiffness * p.spring[i] + c.damping * p.damper[i]
-    if load <= 1.0:
-        return trial, plane_block(spring, n), load == 0.0
-    slips = 1.0 / math.sqrt(load)
+    if share >= 1.0:
+        return trial, plane_block(spring, n), share == FAR
+    slips = math.sqrt(share)
     # the derivative is k / o (1 - F g), g the gradient of the load; this has its diagonal along and across the line
-    s = split_directions(q, n)
-    along = dot(trial, s)
-    e = add(scale(along / (mu[0] + 1e-300), s), scale(1.0 / (mu[1] + 1e-300), sub(trial, scale(along, s))))
+    t, size = direction_along(q, n)
+    along = scale(dot(trial, t) / size, t)
+    e = add(scale(1.0 / (mu[0] + 1e-300), along), scale(1.0 / (mu[1] + 1e-300), sub(trial, along)))
     block = sym_add(plane_block(spring * slips, n), isotropic_plus(0.0, -spring * slips / dot(e, e), e))
     return scale(slips, trial), block, False
 
 
 @inlined
-def trial_force(p, i, n, w, r, stuck):
-    """Force of the spring, and damper, that hold node i at the place where it stuck."""
-    return sub(scale(-p.spring[i], way_along(n, r, stuck)), scale(p.damper[i], w))
+def trial_force(p, i, n, v, r, stuck):
+    """Force along the bed of the spring, and damper, that hold node i at the place where it stuck."""
+    f = add(scale(p.spring[i], sub(r, stuck)), scale(p.damper[i], v))
+    return sub(scale(dot(f, n), n), f)
 
 
 @inlined
@@ -110,21 +118,22 @@ def way_along(n, r, stuck):
 
 @inlined
 def stuck_after(p, i, N, n, q, r, v, stuck, c):
-    """Where a node sticks after a step: where it did, or after slipping where its spring gives the friction."""
-    if not N > 0.0:
-        return r
+    """Where a node sticks after a step: where it did, or after slipping where its spring gives the friction.
+
+    q: along the line, of any length.
+    """
     if p.law == SOIL:
         d = way_along(n, r, stuck)
         held = soil_terms(p.curves, N, n, split_directions(q, n), d, c)[2]
         lost = sub(d, held)
         return stuck if dot(lost, lost) < 1e-24 else sub(r, held)
     w = sub(v, scale(dot(v, n), n))
-    trial = trial_force(p, i, n, w, r, stuck)
-    load = overload(p, coefficients(p, r), N, n, q, w, trial)
-    if load <= 1.0:
+    trial = trial_force(p, i, n, v, r, stuck)
+    share = share_given(p, coefficients(p, r), N, n, q, w, trial)
+    if share >= 1.0:
         return stuck
     # the spring keeps its share of the force, not what the damper gave: it would drive the node on when that slows down
-    return sub(r, scale(1.0 / math.sqrt(load), way_along(n, r, stuck)))
+    return sub(r, scale(math.sqrt(share), way_along(n, r, stuck)))
 
 
 @inlined
@@ -137,22 +146,23 @@ def coefficients(p, r):
 
 
 @inlined
-def overload(p, mu, N, n, q, w, force):
-    """Square of the size of a force in units of the ellipse of friction; more than one slips.
+def share_given(p, mu, N, n, q, w, force):
+    """Square of the part of a force that the ellipse of friction gives; one and more sticks.
 
-    Far inside the ellipse, where most nodes are, a bound will do.
+    q: along the line, of any length. Far inside the ellipse, where most nodes are, a bound will do. Otherwise one
+    division must do, because nodes that slip wait for it.
     """
     size, least = dot(force, force), N * min(mu[0], mu[1])
-    if size < 0.5 * least * least:
-        return 0.0
-    share = N
+    if size <= 0.5 * least * least:
+        return FAR
     if p.law == STICK_SLIP:
         fall = dot(w, w) / (p.velocity * p.velocity)
-        share = N * (1.0 + (p.ratio - 1.0) / (1.0 + fall))
-    along = dot(force, split_directions(q, n))
-    across = max(size - along * along, 0.0)
-    a, b = share * mu[0], share * mu[1]
-    return along * along / (a * a + 1e-300) + across / (b * b + 1e-300)
+        N *= 1.0 + (p.ratio - 1.0) / (1.0 + fall)
+    t, tt = direction_along(q, n)
+    along = dot(force, t)
+    across = max(size * tt - along * along, 0.0)  # both times |t|^2
+    a, b = N * N * mu[0] * mu[0] + 1e-200, N * N * mu[1] * mu[1] + 1e-200
+    return tt * a * b / (along * along * b + across * a + 1e-300)
 
 
 @inlined

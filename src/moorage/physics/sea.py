@@ -139,8 +139,8 @@ SINE, COSINE = _minimax(np.sin, True), _minimax(np.cos, False)
 
 @inlined
 def fast_exp(y):
-    """Exponential: a Taylor polynomial of y / 64, squared six times."""
-    x = y * 0.015625
+    """Exponential of y <= 0 or little more: a Taylor polynomial of y / 64, squared six times; 0 below e^-64."""
+    x = max(y * 0.015625, -1.0)
     p = 1.0 / 24.0 + x * (1.0 / 120.0 + x * (1.0 / 720.0 + x * (1.0 / 5040.0 + x / 40320.0)))
     p = 1.0 + x * (1.0 + x * (0.5 + x * (1.0 / 6.0 + x * p)))
     p = p * p

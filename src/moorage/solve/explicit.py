@@ -43,7 +43,7 @@ def explicit_step(system, now, trial, work, island, t, h, order):
             stage_row(now, trial, stage, point_row(lines, islands.points[p]), h * weight, h * ahead)
         stage_objects(islands, now, trial, stage, island, h * weight, h * ahead)
     set_accelerations(system, trial, work, island, t + h)
-    stick_island(system, now, trial, work.held, island)
+    stick_island(system, now, trial, work.load, island)
     fastest, where = 0.0, -1
     for m in range(l0, l1):
         first, last = line_nodes(lines, islands.lines[m])
@@ -77,6 +77,8 @@ def begin_row(now, trial, stage, i):
     put(stage.velocity, i, get(now.velocity, i))
     put(stage.stuck, i, get(now.stuck, i))
     put(trial.stuck, i, get(now.stuck, i))
+    for x in range(now.soil.shape[1]):
+        stage.soil[i, x] = trial.soil[i, x] = now.soil[i, x]
 
 
 @inlined

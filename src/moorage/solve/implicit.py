@@ -15,11 +15,12 @@ import numpy as np
 
 from moorage._jit import inlined, kernel
 from moorage._vec3 import add, dot, get, mat_get, mat_put, put, scale, sub
-from moorage.layout import Weights, line_nodes, point_row
-from moorage.physics.contact import contact_terms, near_bed
+from moorage.layout import Weights, line_nodes, memory_of, point_row, put_memory
+from moorage.physics.bathymetry import normal_at
+from moorage.physics.contact import near_bed, penetration
 from moorage.physics.friction import ELASTIC, NONE, SOIL, STICK_SLIP, remembers, stuck_after
+from moorage.physics.soil import remember
 from moorage.solve.newton import assemble_island, newton_island, shift, solve_island
-from moorage.system.assemble import unit_or_zero
 from moorage.system.attach import attach
 from moorage.system.ride import begin_turning
 
@@ -35,6 +36,8 @@ class Scheme(NamedTuple):
     new: float  # a1 = new acc1 + old acc0 + keep a0
     old: float
     keep: float
+    per_rr1: float  # 1 / rr1: divisions are slow
+    per_new: float
 
 
 @inlined
@@ -43,7 +46,10 @@ def generalised_alpha(rho, h):
     am, af = (2.0 * rho - 1.0) / (rho + 1.0), rho / (rho + 1.0)
     gamma, beta = 0.5 - am + af, 0.25 * (1.0 - am + af) ** 2
     f = 1.0 / (1.0 - am)
-    return Scheme(h, (0.5 - beta) * h * h, beta * h * h, (1.0 - gamma) * h, gamma * h, (1.0 - af) * f, af * f, -am * f)
+    rr1, new = beta * h * h, (1.0 - af) * f
+    return Scheme(
+        h, (0.5 - beta) * h * h, rr1, (1.0 - gamma) * h, gamma * h, new, af * f, -am * f, 1.0 / rr1, 1.0 / new
+    )
 
 
 @inlined
@@ -78,11 +84,11 @@ def stay_row(now, trial, i, k):
     From outside the elastic range Newton's method may jump from slip one way to slip the other way, again and again.
     """
     a0, v0, r0 = get(now.auxiliary, i), get(now.velocity, i), get(now.position, i)
-    a1 = scale(-1.0 / k.rr1, add(scale(k.h, v0), scale(k.rr0, a0)))
+    a1 = scale(-k.per_rr1, add(scale(k.h, v0), scale(k.rr0, a0)))
     acc = sub(a1, add(scale(k.old, get(now.acceleration, i)), scale(k.keep, a0)))
     put(trial.position, i, r0)
     put(trial.velocity, i, add(v0, add(scale(k.vv0, a0), scale(k.vv1, a1))))
-    put(trial.acceleration, i, scale(1.0 / k.new, acc))
+    put(trial.acceleration, i, scale(k.per_new, acc))
 
 
 @inlined
@@ -112,7 +118,8 @@ def implicit_step(system, now, trial, work, island, t, h, control):
     lines, islands = system.lines, system.islands
     k = generalised_alpha(control.rho, h)
     c = Weights(1.0, k.vv1 * k.new, k.rr1 * k.new)
-    rubs, fastest = system.friction.law != NONE, 0.0
+    soil = system.contact.soil.on
+    rubs, fastest = system.friction.law != NONE or soil, 0.0
     springs = system.friction.law == ELASTIC or system.friction.law == SOIL
     l0, l1 = islands.line_ptr[island], islands.line_ptr[island + 1]
     p0, p1 = islands.point_ptr[island], islands.point_ptr[island + 1]
@@ -129,7 +136,7 @@ def implicit_step(system, now, trial, work, island, t, h, control):
         predict_row(now, trial, point_row(lines, islands.points[p]), k)
     predict_objects(islands, now, trial, island, k)
     attach(system, trial, work, island, t + h)
-    enough = newton_stop(control.newton, system.friction.law, fastest)
+    enough = newton_stop(control.newton, system.friction.law, system.contact.soil.on, fastest)
     converged, iterations, row, largest, part = False, 0, -1, 1e300, 1.0
     while iterations < control.iterations:
         newton_island(system, trial, now, work, island, c, t + h)
@@ -144,7 +151,7 @@ def implicit_step(system, now, trial, work, island, t, h, control):
         ):
             converged = True
             break
-        if remembers(system.friction) and largest > 0.7 * before:
+        if (remembers(system.friction) or soil) and largest > 0.7 * before:
             # a node jumps from slip one way to slip the other way and back: where it sticks lies between
             part *= 0.5
             back = part - 1.0
@@ -162,42 +169,45 @@ def implicit_step(system, now, trial, work, island, t, h, control):
         size = system.rigid.size[islands.objects[m]]
         total += finish_row(now, trial, row, k) + size * size * finish_row(now, trial, row + 1, k)
         rows += 1
-    stick_island(system, now, trial, work.held, island)
+    stick_island(system, now, trial, work.load, island)
     return converged, iterations, math.sqrt(total / rows), row
 
 
-@kernel
-def stick_island(system, now, trial, sure, island):
-    """Set where friction holds the nodes of an island after the step from `now` to `trial`.
+@inlined
+def stick_island(system, now, trial, load, island):
+    """Set where friction holds the nodes of an island, and what the soil remembers, after a step from `now` to `trial`.
 
-    Most nodes are `sure` (rows,) to stay.
+    load: (rows,) N, under which the nodes rub; -1 where they surely stay.
     """
-    if not remembers(system.friction):
+    sticks, soil = remembers(system.friction), system.contact.soil
+    if not (sticks or soil.on):
         return
-    lines, islands = system.lines, system.islands
-    c = Weights(0.0, 0.0, 0.0)
+    lines, islands, c = system.lines, system.islands, Weights(0.0, 0.0, 0.0)
     for m in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
         first, last = line_nodes(lines, islands.lines[m])
         for i in range(first, last + 1):
-            r, before, held = get(trial.position, i), get(now.position, i), get(now.stuck, i)
-            if not near_bed(system.contact, before, r):
-                held = r
-            elif not sure[i]:
-                v = get(trial.velocity, i)
-                q = unit_or_zero(sub(get(trial.position, min(i + 1, last)), get(trial.position, max(i - 1, first))))
-                N, n, _ = contact_terms(system.contact, np.uintp(i), before, r, v, c)
-                held = stuck_after(system.friction, np.uintp(i), N, n, q, r, v, held, c)
-            put(trial.stuck, i, held)
+            r, N = get(trial.position, i), load[i]
+            if N < 0.0:
+                put(trial.stuck, i, get(now.stuck, i))
+            elif N == 0.0 or not sticks:
+                put(trial.stuck, i, r)
+            else:
+                q = sub(get(trial.position, min(i + 1, last)), get(trial.position, max(i - 1, first)))
+                n, v = normal_at(system.contact.bed, r), get(trial.velocity, i)
+                put(trial.stuck, i, stuck_after(system.friction, np.uintp(i), N, n, q, r, v, get(now.stuck, i), c))
+            if soil.on:
+                z = penetration(system.contact, r) if near_bed(system.contact, r, r) else 0.0
+                put_memory(trial, i, remember(soil, np.uintp(i), memory_of(soil, now, i), z))
 
 
 @inlined
-def newton_stop(newton, law, fastest):
+def newton_stop(newton, law, soil, fastest):
     """Velocity increment at which Newton's method stops, m/s; fastest: square of the largest speed in the island.
 
-    With friction, what a stop leaves behind must be small beside the motion, or nodes at rest creep; where friction
-    falls with the speed it must be small in any case, or the next steps find no solution.
+    With friction, or soil that remembers, what a stop leaves behind must be small beside the motion, or nodes at rest
+    creep; where friction falls with the speed it must be small in any case, or the next steps find no solution.
     """
-    if law == NONE:
+    if law == NONE and not soil:
         return newton
     return 0.04 * newton if law == STICK_SLIP else min(newton, max(0.04 * newton, 0.05 * math.sqrt(fastest)))
 
@@ -234,13 +244,16 @@ def set_accelerations(system, state, work, island, t):
 
 @kernel
 def start_island(system, state, work, island, t):
-    """Set consistent accelerations, true and auxiliary, at the start of a run."""
-    lines, islands = system.lines, system.islands
+    """Set consistent accelerations, true and auxiliary, and what the soil remembers, at the start of a run."""
+    lines, islands, soil = system.lines, system.islands, system.contact.soil
     set_accelerations(system, state, work, island, t)
     for m in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
         first, last = line_nodes(lines, islands.lines[m])
         for i in range(first, last + 1):
             put(state.auxiliary, i, get(state.acceleration, i))
+            if soil.on:
+                z = penetration(system.contact, get(state.position, i))
+                put_memory(state, i, remember(soil, np.uintp(i), memory_of(soil, state, i), z))
     for p in range(islands.point_ptr[island], islands.point_ptr[island + 1]):
         row = point_row(lines, islands.points[p])
         put(state.auxiliary, row, get(state.acceleration, row))

@@ -60,10 +60,12 @@ def default_tolerance(built: Built) -> float:
     """Return the tolerance (m) that gives tensions to 1 % rms or better: 2 mm for segments of 1 to 20 m.
 
     An error in position stands for EA / l times as much tension, so that long segments bear more; and what is small
-    for a mooring at sea is not for one in a basin.
+    for a mooring at sea is not for one in a basin. Soil with a memory gives way within D / k_max.
     """
     shortest = float(built.names.segment_length.min(initial=np.inf))
-    return max(1e-4 * shortest, min(2e-3, 2e-3 * shortest)) if np.isfinite(shortest) else 2e-3
+    tolerance = max(1e-4 * shortest, min(2e-3, 2e-3 * shortest)) if np.isfinite(shortest) else 2e-3
+    soil = built.system.contact.soil
+    return min(tolerance, float(soil.diameter.min()) / soil.stiffness) if soil.on else tolerance
 
 
 def control_of(settings: Settings, built: Built) -> Control:

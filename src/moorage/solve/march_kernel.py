@@ -187,6 +187,8 @@ def swap_row(x, y, i):
     put(x.stuck, i, get(y.stuck, i))
     for c in range(x.water.shape[1]):
         x.water[i, c], y.water[i, c] = y.water[i, c], x.water[i, c]
+    for c in range(x.soil.shape[1]):
+        x.soil[i, c], y.soil[i, c] = y.soil[i, c], x.soil[i, c]
     put(y.position, i, r)
     put(y.velocity, i, v)
     put(y.acceleration, i, a)

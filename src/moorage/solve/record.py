@@ -13,7 +13,7 @@ import numpy as np
 
 from moorage._jit import inlined, kernel
 from moorage._vec3 import add, cross, dot, get, mat_get, mat_mat, mat_times, put, scale, sub
-from moorage.layout import FLEXIBLE, Weights, line_nodes, point_row, water_of
+from moorage.layout import FLEXIBLE, Weights, line_nodes, memory_of, point_row, water_of
 from moorage.physics.bathymetry import bed_at
 from moorage.physics.contact import contact_terms, near_bed
 from moorage.physics.friction import NONE, friction_terms
@@ -22,7 +22,7 @@ from moorage.physics.rigid import rotation, turning_rate
 from moorage.physics.tension import segment_tension, tension_terms
 from moorage.physics.weight import wet_shares
 from moorage.solve.bends import end_bending, node_bending, record_joints
-from moorage.system.assemble import node_terms, span_around, unit_or_zero
+from moorage.system.assemble import node_terms, rubbing_load, span_around, unit_or_zero
 
 # columns of Record.lines
 FORCE_A, FORCE_B, LOAD_A, LOAD_B, TENSION_A, TENSION_B, LOWEST, GROUNDED = 0, 3, 6, 9, 12, 13, 14, 15
@@ -115,7 +115,7 @@ def node_force(system, state, line, i):
         hydro = wet_part(system.morison, n, j0, share0, j1, share1)
     q = unit_or_zero(span_around(system.lines, state.position, line, i))
     rest = (0.0, 0.0, 0.0)
-    force = add(pull, node_terms(system, n, hydro, q, water_of(state, i), r, v, rest, r, get(state.stuck, i), c)[0])
+    force = add(pull, node_terms(system, n, hydro, q, water_of(state, i), r, v, rest, state, c)[0])
     mass = system.morison.mass[n]
     inertia = inertia_terms(mass + hydro[0], mass + hydro[1], q, get(state.acceleration, i), c)[0]
     return (force[0], force[1], force[2] + lift), inertia
@@ -288,11 +288,13 @@ def record_contact(system, state, first, last, i, share, out):
     if not near_bed(system.contact, r, r):
         return
     c = Weights(0.0, 0.0, 0.0)
-    N, n, _ = contact_terms(system.contact, np.uintp(i), r, r, v, c)
+    soil = system.contact.soil
+    N, n, _ = contact_terms(system.contact, np.uintp(i), r, r, v, memory_of(soil, state, i), c)
     out[NORMAL] += share * N
-    if system.friction.law != NONE and N != 0.0:
+    load = rubbing_load(soil, N)
+    if system.friction.law != NONE and load > 0.0:
         q = unit_or_zero(sub(get(state.position, min(i + 1, last)), get(state.position, max(i - 1, first))))
-        f = friction_terms(system.friction, np.uintp(i), abs(N), n, q, r, v, get(state.stuck, i), c)[0]
+        f = friction_terms(system.friction, np.uintp(i), load, n, q, r, v, get(state.stuck, i), c)[0]
         for x in range(3):
             out[RUB + x] += share * f[x]
 

@@ -98,7 +98,7 @@ def solve(built: Built, tolerance: float | None = None) -> Equilibrium:
         )
     for island in range(len(islands.line_ptr) - 1):
         if laid:
-            stick_island(system, built.state, built.state, built.work.held, island)
+            stick_island(system, built.state, built.state, built.work.load, island)
         else:
             stick_where_it_is(system.lines, system.islands, built.state, island)
     return Equilibrium(worst, place_name(built, where), used, damped, accepted)

@@ -10,7 +10,8 @@ from __future__ import annotations
 
 from moorage._jit import kernel
 from moorage._vec3 import dot, get, put
-from moorage.layout import FLEXIBLE, Weights, line_nodes, point_row
+from moorage.layout import FLEXIBLE, Weights, line_nodes, point_row, put_memory
+from moorage.physics.soil import FRESH
 from moorage.solve.newton import assemble_island, largest_imbalance, shift, solve_island
 from moorage.system.attach import attach
 from moorage.system.ride import begin_turning
@@ -39,8 +40,17 @@ def stop_island(lines, islands, state, island):
 
 
 @kernel
+def forget_soil(lines, islands, state, island):
+    for m in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
+        first, last = line_nodes(lines, islands.lines[m])
+        for i in range(first, last + 1):
+            put_memory(state, i, FRESH)
+
+
+@kernel
 def place_at_rest(system, state, work, island):
-    """Attach an island's line ends at time 0, at rest."""
+    """Attach an island's line ends at time 0, at rest, on soil that was never touched."""
+    forget_soil(system.lines, system.islands, state, island)
     stop_island(system.lines, system.islands, state, island)
     attach(system, state, work, island, 0.0)
     stop_island(system.lines, system.islands, state, island)

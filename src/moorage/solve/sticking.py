@@ -10,7 +10,7 @@ from moorage._jit import inlined, kernel
 from moorage._vec3 import dot, get, scale, sub
 from moorage.layout import line_nodes
 from moorage.physics.bathymetry import bed_at, normal_of
-from moorage.physics.friction import SATURATED, SOIL, VELOCITY, coefficients, overload, split_directions
+from moorage.physics.friction import SATURATED, SOIL, VELOCITY, coefficients, share_given, split_directions
 from moorage.physics.soil_curves import on_a_plateau
 from moorage.system.assemble import unit_or_zero
 
@@ -37,7 +37,9 @@ def find_sticking(system, position, velocity, normal_force, friction_force, stic
                 s, f = split_directions(q, n), get(friction_force, i)
                 sticks[i] = 0 if on_a_plateau(system.friction.curves, N, s, f, BELOW) else 1
             else:
-                sticks[i] = 1 if overload(system.friction, mu, N, n, q, w, get(friction_force, i)) < BELOW else 0
+                sticks[i] = (
+                    1 if share_given(system.friction, mu, N, n, q, w, get(friction_force, i)) > 1.0 / BELOW else 0
+                )
 
 
 @inlined

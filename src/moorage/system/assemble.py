@@ -31,7 +31,8 @@ from moorage._vec3 import (
     sym_scale,
     sym_to_general,
 )  # fmt: skip
-from moorage.layout import line_nodes, water_of
+from moorage.layout import line_nodes, memory_of, water_of
+from moorage.physics.bathymetry import bed_at
 from moorage.physics.bending import (
     PAPER,
     PINNED,
@@ -45,7 +46,7 @@ from moorage.physics.bending import (
     node_hinge,
     tabulated,
 )
-from moorage.physics.contact import contact_terms, near_bed
+from moorage.physics.contact import contact_on, near_bed
 from moorage.physics.friction import NONE, friction_terms
 from moorage.physics.morison import (
     anisotropic,
@@ -74,7 +75,7 @@ def assemble_line(system, state, start, work, line, c):
     first, last = line_nodes(system.lines, line)
     carried = begin_walk(system.lines, state.position, line)
     for i in range(first, last + 1):
-        force, own, coupling, carried, work.held[i] = walk(system, state, start, line, i, last, carried, c)
+        force, own, coupling, carried, work.load[i] = walk(system, state, start, line, i, last, carried, c)
         put(work.force, i, force)
         sym_put(work.blocks.own, i, own)
         mat_put(work.blocks.next, i, sym_to_general(coupling))
@@ -96,7 +97,7 @@ def walk(system, state, start, line, i, last, carried, c):
 
     Returns the node's force, its own block, its coupling to the next node (symmetric) and what is carried there: of the
     segment between them its vector, pull, block, wet share, buoyancy, minus the slope of that in z, and number; and
-    whether friction surely holds the node.
+    the load under which the node rubs on the bed, see `bed_terms`.
     """
     e_before, pull_before, block_before, share_before, lift_before, sink_before, j_before = carried
     n, j = np.uintp(i), j_before
@@ -119,14 +120,14 @@ def walk(system, state, start, line, i, last, carried, c):
     else:
         hydro = wet_part(system.morison, n, j_before, share_before, j, share)
     q = unit_or_zero(add(e_before, e))
-    a, before, stuck = get(state.acceleration, i), get(start.position, i), get(start.stuck, i)
-    force, own, held = node_terms(system, n, hydro, q, water_of(state, i), r, v, a, before, stuck, c)
+    a = get(state.acceleration, i)
+    force, own, load = node_terms(system, n, hydro, q, water_of(state, i), r, v, a, start, c)
     force = add(force, sub(pull, pull_before))
     force = force[0], force[1], force[2] + lift_before + share * buoyancy
     sink = c.stiffness * buoyancy
     own = add_zz(sym_add(own, sym_add(block, block_before)), -sink_before - sink * d00)
     coupling = add_zz(sym_scale(-1.0, block), -sink * d01)
-    return force, own, coupling, (e, pull, block, share_far, share_far * buoyancy, sink * d11, j), held
+    return force, own, coupling, (e, pull, block, share_far, share_far * buoyancy, sink * d11, j), load
 
 
 @inlined
@@ -151,33 +152,47 @@ def add_zz(s, x):
 
 
 @inlined
-def node_terms(system, i, hydro, q, water, r, v, a, before, stuck, c):
-    """Force and own block of inertia, drag, seabed and dry weight at a node, and whether friction surely holds it.
+def node_terms(system, i, hydro, q, water, r, v, a, start, c):
+    """Force and own block of inertia, drag, seabed and dry weight at a node, and the load under which it rubs.
 
-    q: tangent of the line; water: elevation of the surface, velocity and acceleration of the water; before, stuck:
-    where the node was, and where friction held it, at the start of the step.
+    q: tangent of the line; water: elevation of the surface, velocity and acceleration of the water; start: the state at
+    the start of the step.
     """
+    # looked up first, because it takes longest to come
+    near = near_bed(system.contact, get(start.position, i), r)
+    bed = bed_at(system.contact.bed, r[0], r[1]) if near else ZERO6
     added_normal, added_axial, drag_normal, drag_axial, displaced = hydro
     mass = system.morison.mass[i]
     inertia, inertia_block = inertia_terms(mass + added_normal, mass + added_axial, q, a, c)
     drag, drag_block = drag_terms(drag_normal, drag_axial, q, sub(v, water[1]), c)
     swell = anisotropic(displaced + added_normal, displaced + added_axial, q, water[2])
-    force, own, held = add(add(inertia, drag), swell), hydro_block(inertia_block, drag_block, q), False
-    if near_bed(system.contact, before, r):
-        bed, bed_block, held = bed_terms(system, i, q, r, v, before, stuck, c)
-        force, own = add(force, bed), sym_add(own, bed_block)
-    return (force[0], force[1], force[2] + system.weight.dry[i]), own, held
+    force, own, load = add(add(inertia, drag), swell), hydro_block(inertia_block, drag_block, q), 0.0
+    if near:
+        push, bed_block, load = bed_terms(system, i, bed, q, r, v, start, c)
+        force, own = add(force, push), sym_add(own, bed_block)
+    return (force[0], force[1], force[2] + system.weight.dry[i]), own, load
 
 
 @inlined
-def bed_terms(system, i, q, r, v, before, stuck, c):
-    """Contact and friction of the seabed on a node, their block, and whether friction surely holds it."""
-    N, n, block = contact_terms(system.contact, i, before, r, v, c)
-    force, held = scale(N, n), False
-    if system.friction.law != NONE and N != 0.0:
-        rub, rub_block, held = friction_terms(system.friction, i, abs(N), n, q, r, v, stuck, c)
+def bed_terms(system, i, bed, q, r, v, start, c):
+    """Contact and friction of the seabed on a node, their block, and the load (N) under which it rubs.
+
+    The load is -1 where friction surely holds the node.
+    """
+    soil = system.contact.soil
+    N, n, block = contact_on(system.contact, i, bed, get(start.position, i), r, v, memory_of(soil, start, i), c)
+    force, load = scale(N, n), rubbing_load(soil, N)
+    if system.friction.law != NONE and load > 0.0:
+        rub, rub_block, held = friction_terms(system.friction, i, load, n, q, r, v, get(start.stuck, i), c)
         force, block = add(force, rub), sym_add(block, rub_block)
-    return force, block, held
+        load = -1.0 if held else load
+    return force, block, load
+
+
+@inlined
+def rubbing_load(soil, N):
+    """Load under which a node rubs, N: the size of the normal force, and nothing under suction."""
+    return max(N, 0.0) if soil.on else abs(N)
 
 
 @kernel

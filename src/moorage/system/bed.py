@@ -9,6 +9,7 @@ from moorage.physics import friction as law
 from moorage.physics.bathymetry import Bathymetry, flat_bed, grid_bed
 from moorage.physics.contact import Contact
 from moorage.physics.grid import build_grid, no_grid
+from moorage.physics.soil import Soil, no_soil
 from moorage.physics.table import build_tables
 
 LAWS = {
@@ -26,15 +27,29 @@ def build_bed(env: Environment) -> Bathymetry:
     return grid_bed(grid.x, grid.y, grid.depth, grid.smooth) if grid else flat_bed(-env.water_depth)
 
 
-def build_contact(env: Environment, area) -> Contact:
-    """Return the contact with the seabed; `area` is d l of the nodes, m2."""
+def build_contact(env: Environment, area, length) -> Contact:
+    """Return the contact with the seabed; `area` is d l of the nodes, m2, `length` the line that they stand for, m."""
     kb = env.seabed_stiffness_map
     return Contact(
         area * (1.0 if kb else env.seabed_stiffness),
         area * env.seabed_damping,
         build_bed(env),
         build_grid(kb.x, kb.y, kb.stiffness, kb.stiffness) if kb else no_grid(),
+        build_soil(env, area, length),
     )
+
+
+def build_soil(env: Environment, area, length) -> Soil:
+    """Return the soil that remembers; `area` is d l of the nodes, m2, `length` the line that they stand for, m."""
+    s = env.soil
+    if s is None:
+        return no_soil()
+    lift = 0.0 if s.density is None else s.buoyancy_factor * (s.density - env.water_density) * env.gravity
+    numbers = (
+        s.bearing_factor, s.bearing_exponent, s.shear_strength, s.strength_gradient, s.maximum_stiffness,
+        s.suction_ratio, s.suction_decay, s.repenetration_offset, lift,
+    )  # fmt: skip
+    return Soil(True, length, area / length, *map(float, numbers))
 
 
 def build_friction(model: Model, area) -> law.Friction:

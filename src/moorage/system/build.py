@@ -142,7 +142,7 @@ def build(
         bending=bending,
         weight=Weight(-env.gravity * mass, env.gravity * displaced, 0.5 * d),
         morison=Morison(mass, wet_nodes, hydro),
-        contact=build_contact(env, to_nodes(d * l)),
+        contact=build_contact(env, to_nodes(d * l), to_nodes(l)),
         friction=build_friction(model, to_nodes(d * l)),
         points=_points(model, len(holders.rest)),
         rigid=build_rigid(model, holders.objects.things, _reach(holders)),

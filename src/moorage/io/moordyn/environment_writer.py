@@ -23,6 +23,8 @@ def environment_options(environment: Environment, path: Path, flavour: Flavour, 
     ]
     if environment.seabed_stiffness_map:
         notes.append("the map of the seabed's stiffness cannot be said: kBot is the same everywhere")
+    if environment.soil:
+        notes.append("soil with suction and a memory cannot be said: the bed is a spring of kBot")
     options += _depth(environment, path, flavour, notes)
     options += _friction(environment, flavour, notes)
     return options + _water(environment, path, flavour, notes)
