@@ -62,10 +62,8 @@ class Islands(NamedTuple):
     points: np.ndarray  # (free points,)
     joint_ptr: np.ndarray  # (islands + 1,)
     object_ptr: np.ndarray  # (islands + 1,)
-    objects: np.ndarray  # (objects,) rods that are pinned to bodies before the bodies
-    object_row: np.ndarray  # (objects,) row of the translation of each of these; that of the rotation follows
-    riders: np.ndarray  # (islands,) how many of the points, the first ones, ride on objects
-    rides: np.ndarray  # (islands,) bool: has objects or rods
+    objects: np.ndarray  # (objects, 2) rods that are pinned to bodies before the bodies; the row of each's translation
+    rides: np.ndarray  # (islands, 2) how many of the points, the first ones, ride on objects; 1: has objects or rods
     unknown_ptr: np.ndarray  # (islands + 1,) unknown 3-vectors: points, nodes beside joints and clamps, objects
     unknown_row: np.ndarray  # (unknowns,) their state rows
     matrix_ptr: np.ndarray  # (islands + 1,) offsets of the junction matrices
@@ -81,31 +79,45 @@ class Joints(NamedTuple):
     table: np.ndarray  # (joints,) table of moment, -1: constant EI
 
 
-FLEXIBLE, HELD = -1, -2  # entries of Riders.of_line other than objects: a real line; a rod whose motion is prescribed
+FLEXIBLE, HELD = -1, -2  # carriers of lines other than objects: a real line; a rod whose motion is prescribed
+ROW, PIN, TRANSLATION, ROTATION = 0, 1, 2, 3  # columns of Riders.objects
+CARRIER, CLAMP = 0, 1  # columns of Riders.lines
+SPAN, TOWARD, WATERPLANE = 0, 2, 4  # rows of Riders.places
 
 
 class Riders(NamedTuple):
-    """Objects (rods and bodies that forces move), and what rides on them, in their own axes."""
+    """Objects (rods and bodies that forces move), and what rides on them, in their own axes.
 
-    row: np.ndarray  # (objects,) of the translation; that of the rotation follows
-    pin: np.ndarray  # (objects,) point or rod end that the reference point follows, -1: it is free
-    translation: np.ndarray  # (objects,) number of that unknown; a rider's, where pinned to one; -1: prescribed
-    rotation: np.ndarray  # (objects,) number of that unknown
-    of_point: np.ndarray  # (points,) object that carries the point or rod end, -1
-    arm: np.ndarray  # (points, 3) from the reference point, m
-    of_line: np.ndarray  # (lines,) object of a rigid line, FLEXIBLE or HELD
-    span: np.ndarray  # (lines, 2, 3) ends of rigid lines, m
-    of_clamp: np.ndarray  # (lines, 2) object that clamps the line's end, -1
-    clamp: np.ndarray  # (lines, 2, 3) direction in which it points into the line
+    Few arrays hold all, because each field of a system makes all kernels longer to compile.
+    """
+
+    objects: np.ndarray  # (objects, 4) int: ROW of the translation, that of the rotation follows; PIN: point or rod end
+    # that the reference point follows, -1: it is free; TRANSLATION: number of that unknown, of a rider where it is
+    # pinned to one, -1: prescribed; ROTATION: number of that unknown
+    points: np.ndarray  # (points,) int: object that carries the point or rod end, -1
+    arm: np.ndarray  # (points, 3) from the object's reference point, m
+    lines: np.ndarray  # (lines, 3) int: CARRIER of a rigid line, FLEXIBLE or HELD; CLAMP + end: object that clamps, -1
+    places: (
+        np.ndarray
+    )  # (lines, 5, 3) SPAN + end: ends of rigid lines, m; TOWARD + end: direction of the clamp into the
+    # line; WATERPLANE: of a rod, rho g pi d^4 / 64, N m, in the first place
+
+    @property
+    def row(self) -> np.ndarray:
+        """Rows of translation, (objects,)."""
+        return self.objects[:, ROW]
+
+    @property
+    def pin(self) -> np.ndarray:
+        """Pins, (objects,)."""
+        return self.objects[:, PIN]
 
 
 class Breaks(NamedTuple):
     """Line ends that come off at a force."""
 
-    line: np.ndarray  # (breaks,)
-    end: np.ndarray  # (breaks,) 0: A, 1: B
+    rows: np.ndarray  # (breaks, 3) int: line; end, 0: A, 1: B; the failure of the model that it belongs to
     limit: np.ndarray  # (breaks,) N
-    failure: np.ndarray  # (breaks,) the failure of the model that it belongs to
 
 
 class System(NamedTuple):
@@ -143,11 +155,22 @@ class State(NamedTuple):
     stuck: np.ndarray  # (rows, 3) m, where friction holds a node on the seabed; its position when it is off the bed
     soil: np.ndarray  # (rows, 6) what the seabed remembers of a node, see `physics.soil`
     water: np.ndarray  # (rows, 7) elevation of the surface, m; velocity, m/s, and acceleration of the water, m/s2
-    attitude: np.ndarray  # (objects, 9) rotation from an object's axes to global ones
-    base: np.ndarray  # (objects, 9) the rotation at the start of the step
+    frames: np.ndarray  # (2, objects, 9) ATTITUDE, rotation from an object's axes to global ones; BASE, at the start of
+    # the step
+
+    @property
+    def attitude(self) -> np.ndarray:
+        """Rotations from the axes of objects to global ones, (objects, 9)."""
+        return self.frames[ATTITUDE]
+
+    @property
+    def base(self) -> np.ndarray:
+        """The same at the start of the step."""
+        return self.frames[BASE]
 
 
-OF_OBJECTS = ("attitude", "base")  # fields of the state that have a row for each object, not for each row
+ATTITUDE, BASE = 0, 1
+OF_OBJECTS = ("frames",)  # fields of the state that have no row for each row
 
 
 class Table(NamedTuple):
@@ -197,14 +220,14 @@ class Weights(NamedTuple):
 
 def rows_of(system: System) -> int:
     """Return the number of rows of the state."""
-    return int(system.lines.node_ptr[-1]) + len(system.points.mass) + 2 * len(system.riders.row)
+    return int(system.lines.node_ptr[-1]) + len(system.points.mass) + 2 * len(system.riders.objects)
 
 
 def new_state(rows: int, objects: int) -> State:
     """Return a state of zeros, with objects upright."""
     width = {"water": FIELDS, "soil": len(FRESH)}
     moving = {name: np.zeros((rows, width.get(name, 3))) for name in State._fields if name not in OF_OBJECTS}
-    return State(**moving, **{name: np.tile(np.eye(3).ravel(), (objects, 1)) for name in OF_OBJECTS})
+    return State(**moving, frames=np.tile(np.eye(3).ravel(), (2, objects, 1)))
 
 
 def copy_of(state: State) -> State:
@@ -230,7 +253,7 @@ def new_work(system: System) -> Work:
         np.zeros((len(system.joints.rule), 9)),
     )  # fmt: skip
     return Work(
-        new_state(rows, len(system.riders.row)),
+        new_state(rows, len(system.riders.objects)),
         new_table(system, rows),
         blocks,
         np.zeros((rows, 3)),

@@ -25,8 +25,12 @@ class PointLoads(NamedTuple):
     buoyancy: np.ndarray  # (points,) its weight, N
     drag: np.ndarray  # (points,) wet, 0.5 rho CdA, N s2/m2
     radius: np.ndarray  # (points,) of the sphere of equal volume, m
-    force: np.ndarray  # (points, 3) constant, N
-    damping: np.ndarray  # (points, 2, 3) given linear, N s/m, and quadratic damping, N s2/m2
+    given: np.ndarray  # (points, 3, 3) constant force, N; linear, N s/m, and quadratic damping, N s2/m2
+
+    @property
+    def force(self) -> np.ndarray:
+        """Constant forces, (points, 3), N."""
+        return self.given[:, 0]
 
 
 @inlined
@@ -52,11 +56,11 @@ def point_terms(p, k, water, r, v, a, c):
     force = add(force, scale(wet * (p.displaced[k] + p.added_mass[k]), swell))
     lift = p.weight[k] + wet * p.buoyancy[k]
     block = isotropic_plus(c.mass * mass + c.damping * drag * speed, c.damping * drag / (speed + 1e-9), u)
-    linear = p.damping[k, 0, 0], p.damping[k, 0, 1], p.damping[k, 0, 2]
-    quadratic = p.damping[k, 1, 0], p.damping[k, 1, 1], p.damping[k, 1, 2]
+    linear = p.given[k, 1, 0], p.given[k, 1, 1], p.given[k, 1, 2]
+    quadratic = p.given[k, 2, 0], p.given[k, 2, 1], p.given[k, 2, 2]
     damping, d = damping_terms(linear, quadratic, v, c)
     force = add(force, damping)
-    total = force[0] + p.force[k, 0], force[1] + p.force[k, 1], force[2] + p.force[k, 2] + lift
+    total = force[0] + p.given[k, 0, 0], force[1] + p.given[k, 0, 1], force[2] + p.given[k, 0, 2] + lift
     rising = block[5] - c.stiffness * slope * p.buoyancy[k]
     return total, (block[0] + d[0], block[1], block[2], block[3] + d[1], block[4], rising + d[2])
 

@@ -29,27 +29,37 @@ from moorage._vec3 import (
 )
 from moorage.physics.point import damping_terms, wet_fraction
 
+MASS, WEIGHT, BUOYANCY, DISPLACED, RADIUS, SLENDER, SIZE, FORCE_TURNS, DAMPING_TURNS = range(9)
+CENTRE, BUOYANT, ADDED, DRAG, FORCE, LINEAR, QUADRATIC, INERTIA, COLUMNS = 9, 12, 15, 18, 24, 27, 30, 33, 42
+
 
 class RigidLoads(NamedTuple):
-    """Parameters of the objects, in their own axes about their reference points."""
+    """Parameters of rods and bodies by themselves, in their own axes about their reference points.
 
-    mass: np.ndarray  # (objects,) kg, without the nodes of rods
-    centre: np.ndarray  # (objects, 3) centre of gravity of that mass, m
-    inertia: np.ndarray  # (objects, 9) about that centre, with added inertia, kg m2
-    weight: np.ndarray  # (objects,) upwards, -g m, N
-    buoyancy: np.ndarray  # (objects,) wet, N
-    buoyant: np.ndarray  # (objects, 3) centre of buoyancy, m
-    displaced: np.ndarray  # (objects,) mass of water, wet, kg
-    radius: np.ndarray  # (objects,) of the sphere of equal volume, m
-    added: np.ndarray  # (objects, 3) added mass, wet, kg
-    drag: np.ndarray  # (objects, 6) 0.5 rho CdA, wet, N s2/m2 and N m s2
-    slender: np.ndarray  # (objects,) bool: a rod along its first axis, which has no spin
-    waterplane: np.ndarray  # (lines,) of a rod, rho g pi d^4 / 64, N m
-    size: np.ndarray  # (objects,) length that makes a distance of an angle, m
-    force: np.ndarray  # (objects, 3) constant force, N
-    force_turns: np.ndarray  # (objects,) bool: it turns with the object
-    damping: np.ndarray  # (objects, 2, 3) linear N s/m and quadratic N s2/m2 damping of the velocity
-    damping_turns: np.ndarray  # (objects,) bool
+    Columns: MASS, kg, without the nodes of rods, and its CENTRE of gravity (3), m; INERTIA about that (9), with added
+    inertia, kg m2; WEIGHT, upwards, -g m, N; wet BUOYANCY, N, at BUOYANT (3), m; mass of DISPLACED water, kg; RADIUS of
+    the sphere of equal volume, m; ADDED mass (3), kg; DRAG (6), 0.5 rho CdA, N s2/m2 and N m s2; SLENDER, 1: a rod
+    along its first axis, which has no spin; SIZE, the length that makes a distance of an angle, m; given FORCE (3), N,
+    and LINEAR (3), N s/m, and QUADRATIC (3), N s2/m2, damping; FORCE_TURNS, DAMPING_TURNS, 1: with the object.
+    """
+
+    table: np.ndarray  # (objects, COLUMNS)
+
+
+@inlined
+def triple(p, o, column):
+    """Three columns of an object."""
+    t = p.table
+    return t[o, column], t[o, column + 1], t[o, column + 2]
+
+
+@inlined
+def inertia_of(p, o):
+    """Inertia of an object about its centre of gravity, row by row."""
+    t, k = p.table, INERTIA
+    return (
+        t[o, k], t[o, k + 1], t[o, k + 2], t[o, k + 3], t[o, k + 4], t[o, k + 5], t[o, k + 6], t[o, k + 7], t[o, k + 8],
+    )  # fmt: skip
 
 
 @inlined
@@ -136,7 +146,7 @@ def spin_terms(inertia, omega, alpha, c):
 @inlined
 def wet_body(p, o, z):
     """Wet fraction of an object's own volume with its reference point z above the surface, and its slope (1/m)."""
-    return wet_fraction(p.radius[o], z)
+    return wet_fraction(p.table[o, RADIUS], z)
 
 
 @inlined
@@ -148,15 +158,14 @@ def water_terms(p, o, wet, R, V, A, omega, water, c):
     _, flow, swell = water
     u = sub(V, flow)
     speed = math.sqrt(dot(u, u))
-    D = diagonal_turned(R, (wet * p.drag[o, 0], wet * p.drag[o, 1], wet * p.drag[o, 2]))
-    added = wet * p.added[o, 0], wet * p.added[o, 1], wet * p.added[o, 2]
-    M = diagonal_turned(R, added)
+    D = diagonal_turned(R, scale(wet, triple(p, o, DRAG)))
+    M = diagonal_turned(R, scale(wet, triple(p, o, ADDED)))
     Du, w = sym_times(D, u), mat_times(R, omega)
     momentum = sym_times(M, u)
     force = scale(-speed, Du)
     force = sub(force, sym_times(M, sub(A, swell)))
     force = sub(force, sub(cross(w, momentum), sym_times(M, cross(w, u))))
-    force = add(force, scale(wet * p.displaced[o], swell))
+    force = add(force, scale(wet * p.table[o, DISPLACED], swell))
     moment = scale(-1.0, mat_t_times(R, cross(u, momentum)))
     k = c.damping
     f = 0.5 * k / (speed + 1e-9)  # the exact derivative is not symmetric where D is not isotropic: half of both
@@ -174,7 +183,7 @@ def water_terms(p, o, wet, R, V, A, omega, water, c):
 @inlined
 def turning_drag(p, o, wet, omega, c):
     """Moment of drag on the rotation of an object, body axes, and its symmetric block."""
-    d = wet * p.drag[o, 3], wet * p.drag[o, 4], wet * p.drag[o, 5]
+    d = scale(wet, triple(p, o, DRAG + 3))
     rate = math.sqrt(dot(omega, omega))
     Dw = d[0] * omega[0], d[1] * omega[1], d[2] * omega[2]
     k = c.damping
@@ -225,36 +234,34 @@ def lever(arm, pull):
 @inlined
 def mass_load(p, o, R, A, omega, alpha):
     """Inertia and weight of an object's own mass at its centre of gravity, N, and the acceleration there."""
-    centre = p.centre[o, 0], p.centre[o, 1], p.centre[o, 2]
+    centre = triple(p, o, CENTRE)
     a = add(A, mat_times(R, add(cross(alpha, centre), cross(omega, cross(omega, centre)))))
-    m = p.mass[o]
-    return (-m * a[0], -m * a[1], p.weight[o] - m * a[2]), centre
+    m = p.table[o, MASS]
+    return (-m * a[0], -m * a[1], p.table[o, WEIGHT] - m * a[2]), centre
 
 
 @inlined
 def given_load(p, o, R, V, c):
     """Given force and damping on an object (global axes), and the block of the damping."""
-    force = p.force[o, 0], p.force[o, 1], p.force[o, 2]
-    if p.force_turns[o]:
+    force = triple(p, o, FORCE)
+    if p.table[o, FORCE_TURNS] > 0.0:
         force = mat_times(R, force)
-    linear = p.damping[o, 0, 0], p.damping[o, 0, 1], p.damping[o, 0, 2]
-    quadratic = p.damping[o, 1, 0], p.damping[o, 1, 1], p.damping[o, 1, 2]
-    turns = p.damping_turns[o]
-    damping, d = damping_terms(linear, quadratic, mat_t_times(R, V) if turns else V, c)
+    turns = p.table[o, DAMPING_TURNS] > 0.0
+    damping, d = damping_terms(triple(p, o, LINEAR), triple(p, o, QUADRATIC), mat_t_times(R, V) if turns else V, c)
     if turns:
         return add(force, mat_times(R, damping)), diagonal_turned(R, d)
     return add(force, damping), (d[0], 0.0, 0.0, d[1], 0.0, d[2])
 
 
 @inlined
-def body_load(p, o, inertia, z, R, V, A, omega, alpha, water, c):
+def body_load(p, o, z, R, V, A, omega, alpha, water, c):
     """Force (global) and moment (its own axes) on an object by itself, with its reference point at level z."""
     wet = wet_body(p, o, z - water[0])[0]
-    moment = spin_terms(inertia, omega, alpha, c)[0]
+    moment = spin_terms(inertia_of(p, o), omega, alpha, c)[0]
     force, centre = mass_load(p, o, R, A, omega, alpha)
     moment = add(moment, cross(centre, mat_t_times(R, force)))
-    lift = (0.0, 0.0, wet * p.buoyancy[o])
-    buoyant = p.buoyant[o, 0], p.buoyant[o, 1], p.buoyant[o, 2]
+    lift = (0.0, 0.0, wet * p.table[o, BUOYANCY])
+    buoyant = triple(p, o, BUOYANT)
     moment = add(moment, cross(buoyant, mat_t_times(R, lift)))
     hydro, turn, _ = water_terms(p, o, wet, R, V, A, omega, water, c)
     moment = add(moment, add(turn, turning_drag(p, o, wet, omega, c)[0]))

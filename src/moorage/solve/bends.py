@@ -8,7 +8,7 @@ import numpy as np
 
 from moorage._jit import inlined, kernel
 from moorage._vec3 import add, cross, dot, get, mat_get, mat_times, scale, sub, unit
-from moorage.layout import line_nodes
+from moorage.layout import ATTITUDE, CLAMP, TOWARD, line_nodes
 from moorage.physics.bending import PINNED, bend, end_hinge, node_hinge
 from moorage.physics.motion import follow
 from moorage.system.assemble import joint_hinge, joint_nodes
@@ -20,11 +20,11 @@ ZERO3 = (0.0, 0.0, 0.0)
 @inlined
 def clamp_direction(system, old, now, s, line, end, t):
     """Direction in which the object at a clamped end points into the line at time t, the fraction s of a step."""
-    o = system.riders.of_clamp[line, end]
+    o = system.riders.lines[line, CLAMP + end]
     if o < 0:
         return unit(follow(system.tracks, system.bending.direction[line, end], t)[0])
-    d = vector(system.riders.clamp, line, end)
-    before, after = mat_times(mat_get(old.attitude, o), d), mat_times(mat_get(now.attitude, o), d)
+    d = vector(system.riders.places, line, TOWARD + end)
+    before, after = mat_times(mat_get(old.frames[ATTITUDE], o), d), mat_times(mat_get(now.frames[ATTITUDE], o), d)
     return unit(add(scale(1.0 - s, before), scale(s, after)))
 
 

@@ -13,8 +13,8 @@ from moorage.solve.record import node_force
 def broken(system, state, island_of_line, island, t):
     """Return the first break of an island whose line end bears more than it can at time t, -1: none."""
     breaks = system.breaks
-    for k in range(len(breaks.line)):
-        line, end = breaks.line[k], breaks.end[k]
+    for k in range(len(breaks.rows)):
+        line, end = breaks.rows[k, 0], breaks.rows[k, 1]
         if island_of_line[line] != island:
             continue
         first, last = line_nodes(system.lines, line)

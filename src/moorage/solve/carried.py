@@ -158,8 +158,7 @@ def sample_rigid(p, o, water, position, axes, velocity, acceleration, c, out):
         alpha = mat_t_times(R, (acceleration[row, 3], acceleration[row, 4], acceleration[row, 5]))
         w = water[row]
         around = w[0], (w[1], w[2], w[3]), (w[4], w[5], w[6])
-        J = mat_get(p.inertia, o)
-        force, moment = body_load(p, o, J, position[row, 2], R, V, A, omega, alpha, around, c)
+        force, moment = body_load(p, o, position[row, 2], R, V, A, omega, alpha, around, c)
         turn = mat_times(R, moment)
         for x in range(3):
             out[row, x], out[row, 3 + x] = force[x], turn[x]

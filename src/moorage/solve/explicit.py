@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from moorage._jit import inlined, kernel
 from moorage._vec3 import accumulate, add, dot, get, mat_get, mat_put, put, scale
-from moorage.layout import line_nodes, point_row
+from moorage.layout import BASE, line_nodes, point_row
 from moorage.physics.rigid import turning_rate
 from moorage.solve.implicit import set_accelerations, stick_island
 from moorage.system.ride import begin_turning
@@ -96,9 +96,9 @@ def begin_objects(islands, now, trial, stage, island):
     """Begin a step of the objects of an island; rotations count from now on."""
     begin_turning(islands, now, island)
     for k in range(islands.object_ptr[island], islands.object_ptr[island + 1]):
-        o, row = islands.objects[k], islands.object_row[k]
-        mat_put(trial.base, o, mat_get(now.base, o))
-        mat_put(stage.base, o, mat_get(now.base, o))
+        o, row = islands.objects[k, 0], islands.objects[k, 1]
+        mat_put(trial.frames[BASE], o, mat_get(now.frames[BASE], o))
+        mat_put(stage.frames[BASE], o, mat_get(now.frames[BASE], o))
         begin_row(now, trial, stage, row)
         begin_row(now, trial, stage, row + 1)
 
@@ -107,7 +107,7 @@ def begin_objects(islands, now, trial, stage, island):
 def stage_objects(islands, now, trial, stage, island, weight, ahead):
     """Do `stage_row` for objects; a rotation vector grows at `turning_rate`."""
     for k in range(islands.object_ptr[island], islands.object_ptr[island + 1]):
-        row = islands.object_row[k]
+        row = islands.objects[k, 1]
         stage_row(now, trial, stage, row, weight, ahead)
         i = row + 1
         rate, alpha = turning_rate(get(stage.position, i), get(stage.velocity, i)), get(stage.acceleration, i)

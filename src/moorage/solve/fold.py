@@ -30,14 +30,34 @@ from moorage._vec3 import (
     sym_mat,
     sym_to_general,
 )
-from moorage.layout import line_nodes, point_row, water_of
+from moorage.layout import (
+    ATTITUDE,
+    CARRIER,
+    CLAMP,
+    PIN,
+    ROTATION,
+    ROW,
+    SPAN,
+    TOWARD,
+    TRANSLATION,
+    WATERPLANE,
+    line_nodes,
+    point_row,
+    water_of,
+)
 from moorage.physics.bending import end_hinge
 from moorage.physics.rigid import (
+    BUOYANCY,
+    BUOYANT,
+    MASS,
+    SLENDER,
     given_load,
+    inertia_of,
     lever,
     mass_load,
     skew,
     spin_terms,
+    triple,
     turning_drag,
     upright_moment,
     water_terms,
@@ -55,26 +75,26 @@ def add_objects(system, state, work, A, b, size, island, c):
     """Add the objects of an island to its junction system, and fold the riders into them."""
     islands, riders = system.islands, system.riders
     for k in range(islands.object_ptr[island], islands.object_ptr[island + 1]):
-        o = islands.objects[k]
+        o = islands.objects[k, 0]
         add_own_loads(system, state, A, b, size, o, c)
     for k in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
         line = islands.lines[k]
-        o = riders.of_line[line]
+        o = riders.lines[line, CARRIER]
         if o >= 0:
             add_rod(system, state, work, A, b, size, line, o, c)
         for end in range(2):
-            if riders.of_clamp[line, end] >= 0:
+            if riders.lines[line, CLAMP + end] >= 0:
                 add_clamp(system, state, work, A, b, size, line, end, c.stiffness)
     for k in range(islands.object_ptr[island], islands.object_ptr[island + 1]):
-        o = islands.objects[k]
-        R = mat_get(state.attitude, o)
-        t, r = riders.translation[o], riders.rotation[o]
+        o = islands.objects[k, 0]
+        R = mat_get(state.frames[ATTITUDE], o)
+        t, r = riders.objects[o, TRANSLATION], riders.objects[o, ROTATION]
         p0 = islands.point_ptr[island]
-        for u in range(islands.riders[island]):
+        for u in range(islands.rides[island, 0]):
             point = islands.points[p0 + u]
-            if riders.of_point[point] == o:
+            if riders.points[point] == o:
                 fold(A, b, size, u, t, r, R, get(riders.arm, point), c.stiffness)
-        if system.rigid.slender[o]:
+        if system.rigid.table[o, SLENDER] > 0.0:
             hold(A, b, size, 3 * r)
 
 
@@ -93,13 +113,13 @@ def load_objects(system, state, work, island, c):
     for k in range(size):
         b[k] = 0.0
     p0 = islands.point_ptr[island]
-    for u in range(islands.riders[island]):
+    for u in range(islands.rides[island, 0]):
         add_at(b, u, get(work.force, point_row(system.lines, islands.points[p0 + u])))
     add_objects(system, state, work, A, b, size, island, c)
     for k in range(islands.object_ptr[island], islands.object_ptr[island + 1]):
-        o = islands.objects[k]
-        row, t, r = riders.row[o], 3 * riders.translation[o], 3 * riders.rotation[o]
-        moves = riders.pin[o] < 0
+        o = islands.objects[k, 0]
+        row, t, r = riders.objects[o, ROW], 3 * riders.objects[o, TRANSLATION], 3 * riders.objects[o, ROTATION]
+        moves = riders.objects[o, PIN] < 0
         put(work.force, row, (b[t], b[t + 1], b[t + 2]) if moves else (0.0, 0.0, 0.0))
         put(work.force, row + 1, (b[r], b[r + 1], b[r + 2]))
 
@@ -108,21 +128,21 @@ def load_objects(system, state, work, island, c):
 def add_own_loads(system, state, A, b, size, o, c):
     """Add inertia, weight, buoyancy, water and external loads of an object by itself."""
     riders, p = system.riders, system.rigid
-    t, r, row = riders.translation[o], riders.rotation[o], riders.row[o]
-    R = mat_get(state.attitude, o)
+    t, r, row = riders.objects[o, TRANSLATION], riders.objects[o, ROTATION], riders.objects[o, ROW]
+    R = mat_get(state.frames[ATTITUDE], o)
     V, acc = get(state.velocity, row), get(state.acceleration, row)
     omega, alpha = get(state.velocity, row + 1), get(state.acceleration, row + 1)
-    moment, block = spin_terms(mat_get(p.inertia, o), omega, alpha, c)
+    moment, block = spin_terms(inertia_of(p, o), omega, alpha, c)
     add_moment(A, b, size, r, moment, block)
     water = water_of(state, row)
     height = state.position[row, 2] - water[0]
     wet, slope = wet_body(p, o, height)
     force, centre = mass_load(p, o, R, acc, omega, alpha)
-    m = c.mass * p.mass[o]
+    m = c.mass * p.table[o, MASS]
     add_rider(A, b, size, t, r, R, centre, force, (m, 0.0, 0.0, m, 0.0, m), c.stiffness)
-    lift = wet * p.buoyancy[o]
-    block = (0.0, 0.0, 0.0, 0.0, 0.0, -c.stiffness * slope * p.buoyancy[o])
-    add_rider(A, b, size, t, r, R, get(p.buoyant, o), (0.0, 0.0, lift), block, c.stiffness)
+    lift = wet * p.table[o, BUOYANCY]
+    block = (0.0, 0.0, 0.0, 0.0, 0.0, -c.stiffness * slope * p.table[o, BUOYANCY])
+    add_rider(A, b, size, t, r, R, triple(p, o, BUOYANT), (0.0, 0.0, lift), block, c.stiffness)
     force, turn, block = water_terms(p, o, wet, R, V, acc, omega, water, c)
     given, D = given_load(p, o, R, V, c)
     if t >= 0:
@@ -138,9 +158,9 @@ def add_own_loads(system, state, A, b, size, o, c):
 def add_rod(system, state, work, A, b, size, line, o, c):
     """Add the nodes of a rod to its object, and what its ends feel of the waterplane."""
     riders = system.riders
-    t, r = riders.translation[o], riders.rotation[o]
+    t, r = riders.objects[o, TRANSLATION], riders.objects[o, ROTATION]
     first, last = line_nodes(system.lines, line)
-    R = mat_get(state.attitude, o)
+    R = mat_get(state.frames[ATTITUDE], o)
     for i in range(first, last + 1):
         arm = rider_arm(riders, line, first, last, i)
         add_rider(A, b, size, t, r, R, arm, get(work.force, i), sym_get(work.blocks.own, i), c.stiffness)
@@ -157,13 +177,13 @@ def add_rod(system, state, work, A, b, size, line, o, c):
 def rod_upright(system, state, line, o, c):
     """Moment of a rod's waterplane (body axes) and its block."""
     first, last = line_nodes(system.lines, line)
-    R = mat_get(state.attitude, o)
-    span = sub(vector(system.riders.span, line, 1), vector(system.riders.span, line, 0))
+    R = mat_get(state.frames[ATTITUDE], o)
+    span = sub(vector(system.riders.places, line, SPAN + 1), vector(system.riders.places, line, SPAN + 0))
     q0 = scale(1.0 / math.sqrt(dot(span, span)), span)
     radius = system.weight.radius[first - line]
     low = section_fraction(radius, state.position[first, 2] - state.water[first, 0])
     high = section_fraction(radius, state.position[last, 2] - state.water[last, 0])
-    return upright_moment(system.rigid.waterplane[line] * (low - high), q0, mat_t_times(R, UP), c)
+    return upright_moment(system.riders.places[line, WATERPLANE, 0] * (low - high), q0, mat_t_times(R, UP), c)
 
 
 @inlined
@@ -182,11 +202,11 @@ def clamp_moment(system, state, direction, line, end):
 @inlined
 def add_clamp(system, state, work, A, b, size, line, end, k):
     """Add the moment of a clamped line end on its object, and how it couples both to the first segment."""
-    o = system.riders.of_clamp[line, end]
-    r = system.riders.rotation[o]
+    o = system.riders.lines[line, CLAMP + end]
+    r = system.riders.objects[o, ROTATION]
     inverse, q, d, cosine, G, U = clamp_moment(system, state, work.direction, line, end)
-    R = mat_get(state.attitude, o)
-    q0, d0 = mat_t_times(R, q), vector(system.riders.clamp, line, end)
+    R = mat_get(state.frames[ATTITUDE], o)
+    q0, d0 = mat_t_times(R, q), vector(system.riders.places, line, TOWARD + end)
     t0 = cross(d0, q0)
     moment = scale(G, t0)
     # U t t^T + G (c I - q d^T) in body axes
@@ -318,23 +338,23 @@ def hold(A, b, size, i):
 def move_riders(lines, islands, riders, state, increment, island):
     """Set the increments of what rides on the objects of an island, from those of the objects."""
     for k in range(islands.object_ptr[island + 1] - 1, islands.object_ptr[island] - 1, -1):
-        o = islands.objects[k]
-        row = riders.row[o]
-        if riders.pin[o] >= 0:
-            pin = riders.pin[o]
-            put(increment, row, get(increment, point_row(lines, pin)) if riders.of_point[pin] >= 0 else (0.0, 0.0, 0.0))
-        R, x, turn = mat_get(state.attitude, o), get(increment, row), get(increment, row + 1)
-        for p in range(islands.point_ptr[island], islands.point_ptr[island] + islands.riders[island]):
+        o = islands.objects[k, 0]
+        row = riders.objects[o, ROW]
+        if riders.objects[o, PIN] >= 0:
+            pin = riders.objects[o, PIN]
+            put(increment, row, get(increment, point_row(lines, pin)) if riders.points[pin] >= 0 else (0.0, 0.0, 0.0))
+        R, x, turn = mat_get(state.frames[ATTITUDE], o), get(increment, row), get(increment, row + 1)
+        for p in range(islands.point_ptr[island], islands.point_ptr[island] + islands.rides[island, 0]):
             point = islands.points[p]
-            if riders.of_point[point] == o:
+            if riders.points[point] == o:
                 moved = mat_times(R, cross(turn, get(riders.arm, point)))
                 put(increment, point_row(lines, point), add(x, moved))
     for k in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
         line = islands.lines[k]
-        o = riders.of_line[line]
+        o = riders.lines[line, CARRIER]
         if o >= 0:
-            row = riders.row[o]
-            R, x, turn = mat_get(state.attitude, o), get(increment, row), get(increment, row + 1)
+            row = riders.objects[o, ROW]
+            R, x, turn = mat_get(state.frames[ATTITUDE], o), get(increment, row), get(increment, row + 1)
             first, last = line_nodes(lines, line)
             for i in range(first, last + 1):
                 moved = mat_times(R, cross(turn, rider_arm(riders, line, first, last, i)))

@@ -15,10 +15,11 @@ import numpy as np
 
 from moorage._jit import inlined, kernel
 from moorage._vec3 import add, dot, get, mat_get, mat_put, put, scale, sub
-from moorage.layout import Weights, line_nodes, memory_of, point_row, put_memory
+from moorage.layout import BASE, Weights, line_nodes, memory_of, point_row, put_memory
 from moorage.physics.bathymetry import normal_at
 from moorage.physics.contact import near_bed, penetration
 from moorage.physics.friction import ELASTIC, NONE, SOIL, STICK_SLIP, remembers, stuck_after
+from moorage.physics.rigid import SIZE
 from moorage.physics.soil import remember
 from moorage.solve.newton import assemble_island, newton_island, shift, solve_island
 from moorage.system.attach import attach
@@ -71,8 +72,8 @@ def predict_objects(islands, now, trial, island, k):
     """Set the rows of the objects of an island in the trial state; their rotations count from now on."""
     begin_turning(islands, now, island)
     for m in range(islands.object_ptr[island], islands.object_ptr[island + 1]):
-        o, row = islands.objects[m], islands.object_row[m]
-        mat_put(trial.base, o, mat_get(now.base, o))
+        o, row = islands.objects[m, 0], islands.objects[m, 1]
+        mat_put(trial.frames[BASE], o, mat_get(now.frames[BASE], o))
         predict_row(now, trial, row, k)
         predict_row(now, trial, row + 1, k)
 
@@ -165,8 +166,8 @@ def implicit_step(system, now, trial, work, island, t, h, control):
     for p in range(p0, p1):
         total += finish_row(now, trial, point_row(lines, islands.points[p]), k)
     for m in range(islands.object_ptr[island], islands.object_ptr[island + 1]):
-        row = islands.object_row[m]
-        size = system.rigid.size[islands.objects[m]]
+        row = islands.objects[m, 1]
+        size = system.rigid.table[islands.objects[m, 0], SIZE]
         total += finish_row(now, trial, row, k) + size * size * finish_row(now, trial, row + 1, k)
         rows += 1
     stick_island(system, now, trial, work.load, island)
@@ -234,8 +235,8 @@ def set_accelerations(system, state, work, island, t):
     for p in range(p0, p1):
         put(state.acceleration, point_row(lines, islands.points[p]), (0.0, 0.0, 0.0))
     for m in range(islands.object_ptr[island], islands.object_ptr[island + 1]):
-        put(state.acceleration, islands.object_row[m], (0.0, 0.0, 0.0))
-        put(state.acceleration, islands.object_row[m] + 1, (0.0, 0.0, 0.0))
+        put(state.acceleration, islands.objects[m, 1], (0.0, 0.0, 0.0))
+        put(state.acceleration, islands.objects[m, 1] + 1, (0.0, 0.0, 0.0))
     attach(system, state, work, island, t)
     assemble_island(system, state, state, work, island, c, t)
     solve_island(system, state, work, island, c)
@@ -258,6 +259,6 @@ def start_island(system, state, work, island, t):
         row = point_row(lines, islands.points[p])
         put(state.auxiliary, row, get(state.acceleration, row))
     for m in range(islands.object_ptr[island], islands.object_ptr[island + 1]):
-        row = islands.object_row[m]
+        row = islands.objects[m, 1]
         put(state.auxiliary, row, get(state.acceleration, row))
         put(state.auxiliary, row + 1, get(state.acceleration, row + 1))

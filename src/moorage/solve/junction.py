@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from moorage._jit import inlined, kernel
 from moorage._vec3 import get, mat_get, put, sym_get
-from moorage.layout import FLEXIBLE, line_nodes, point_row, water_of
+from moorage.layout import CARRIER, FLEXIBLE, line_nodes, point_row, water_of
 from moorage.physics.point import point_terms
 from moorage.solve.fold import add_objects, move_riders
 from moorage.system.attach import copy_free_ends
@@ -32,7 +32,7 @@ def solve_junctions(system, state, work, island, c):
         force, block = point_terms(system.points, point, water_of(state, row), r, v, a, c)
         add_own(A, b, size, p - p0, block, force)
     for k in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
-        if system.riders.of_line[islands.lines[k]] == FLEXIBLE:
+        if system.riders.lines[islands.lines[k], CARRIER] == FLEXIBLE:
             add_line(lines, work, A, b, size, islands.lines[k])
     for m in range(islands.joint_ptr[island], islands.joint_ptr[island + 1]):
         line, end = system.joints.line[m], system.joints.end[m]
@@ -40,7 +40,7 @@ def solve_junctions(system, state, work, island, c):
         add_coupling(A, size, i, j, mat_get(work.blocks.joint, m))
     if islands.object_ptr[island + 1] > islands.object_ptr[island]:
         add_objects(system, state, work, A, b, size, island, c)
-    riders = islands.riders[island]
+    riders = islands.rides[island, 0]
     solve_dense(A, b, size, 3 * riders)
     for u in range(u0 + riders, u1):
         k = 3 * (u - u0)

@@ -235,7 +235,7 @@ class March:
         until, parts = min(float(until), self.duration), []
         while True:
             time, failures = self._due(until)
-            saved = self.checkpoint() if len(self.built.system.breaks.line) else {}
+            saved = self.checkpoint() if len(self.built.system.breaks.limit) else {}
             try:
                 parts.append(self._advance(min(time, self._fed)))
             except Break as event:
@@ -331,7 +331,7 @@ class March:
         came_off = np.flatnonzero(self.clocks.status == BROKEN)
         if len(came_off):
             first = came_off[np.argmin(self.clocks.time[came_off])]
-            which = built.system.breaks.failure[self.clocks.row[first]]
+            which = built.system.breaks.rows[self.clocks.row[first], 2]
             raise Break(int(which), float(self.clocks.time[first]))
         if not np.isfinite(record.lines).all():
             row, line, _ = np.argwhere(~np.isfinite(record.lines))[0].tolist()

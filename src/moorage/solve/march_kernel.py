@@ -123,7 +123,7 @@ def march_islands(system, old, now, work, clocks, control, begin, end, until, st
             if t >= table_end(system.sea, work.table, island) - eps:
                 next_interval(system.lines, system.islands, system.sea, work.table, b.position, b.velocity, island, t)
             h = next_step(control, size, h, error)
-            if control.breaks == 1 and len(system.breaks.line) > 0:
+            if control.breaks == 1 and len(system.breaks.rows) > 0:
                 where = broken(system, b, island_of_line, island, t)
                 if where >= 0:
                     clocks.status[island], clocks.row[island] = BROKEN, where
@@ -169,12 +169,12 @@ def swap_island(lines, islands, old, now, island):
     for p in range(islands.point_ptr[island], islands.point_ptr[island + 1]):
         swap_row(old, now, point_row(lines, islands.points[p]))
     for k in range(islands.object_ptr[island], islands.object_ptr[island + 1]):
-        o = islands.objects[k]
-        swap_row(old, now, islands.object_row[k])
-        swap_row(old, now, islands.object_row[k] + 1)
+        o = islands.objects[k, 0]
+        swap_row(old, now, islands.objects[k, 1])
+        swap_row(old, now, islands.objects[k, 1] + 1)
         for c in range(9):
-            old.attitude[o, c], now.attitude[o, c] = now.attitude[o, c], old.attitude[o, c]
-            old.base[o, c], now.base[o, c] = now.base[o, c], old.base[o, c]
+            for k in range(2):
+                old.frames[k, o, c], now.frames[k, o, c] = now.frames[k, o, c], old.frames[k, o, c]
 
 
 @inlined

@@ -6,8 +6,9 @@ import math
 
 from moorage._jit import inlined, kernel
 from moorage._vec3 import accumulate, add, dot, get, put, scale
-from moorage.layout import FLEXIBLE, line_nodes, point_row, water_of
+from moorage.layout import CARRIER, FLEXIBLE, line_nodes, point_row, water_of
 from moorage.physics.point import point_terms
+from moorage.physics.rigid import SIZE
 from moorage.solve.fold import load_objects
 from moorage.solve.junction import solve_junctions
 from moorage.solve.line_solve import assemble_and_reduce, back_substitute, reduce_line, substitute
@@ -46,7 +47,7 @@ def newton_island(system, state, start, work, island, c, t):
         line = islands.lines[k]
         if walks_once(system, line):
             substitute(lines, work, line)
-        elif system.riders.of_line[line] == FLEXIBLE:
+        elif system.riders.lines[line, CARRIER] == FLEXIBLE:
             back_substitute(lines, work, line, lines.end_unknown[line, 0] >= 0)
 
 
@@ -57,7 +58,7 @@ def solve_boundary(system, state, work, island, c):
     add_joints(system, state, work, island, c)
     for k in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
         line = islands.lines[k]
-        if not walks_once(system, line) and system.riders.of_line[line] == FLEXIBLE:
+        if not walks_once(system, line) and system.riders.lines[line, CARRIER] == FLEXIBLE:
             reduce_line(lines, work, line, lines.end_unknown[line, 0] >= 0)
     solve_junctions(system, state, work, island, c)
 
@@ -66,7 +67,7 @@ def solve_boundary(system, state, work, island, c):
 def walks_once(system, line):
     """Whether a line's matrix is block tridiagonal with a prescribed end A."""
     lines = system.lines
-    return lines.end_unknown[line, 0] < 0 and not lines.bends[line] and system.riders.of_line[line] == FLEXIBLE
+    return lines.end_unknown[line, 0] < 0 and not lines.bends[line] and system.riders.lines[line, CARRIER] == FLEXIBLE
 
 
 @kernel
@@ -79,12 +80,12 @@ def solve_island(system, state, work, island, c):
         first, last = line_nodes(lines, line)
         put(work.increment, first, (0.0, 0.0, 0.0))
         put(work.increment, last, (0.0, 0.0, 0.0))
-        if system.riders.of_line[line] == FLEXIBLE:
+        if system.riders.lines[line, CARRIER] == FLEXIBLE:
             reduce_line(lines, work, line, lines.end_unknown[line, 0] >= 0)
     solve_junctions(system, state, work, island, c)
     for k in range(l0, l1):
         line = islands.lines[k]
-        if system.riders.of_line[line] == FLEXIBLE:
+        if system.riders.lines[line, CARRIER] == FLEXIBLE:
             back_substitute(lines, work, line, lines.end_unknown[line, 0] >= 0)
 
 
@@ -106,7 +107,7 @@ def largest_imbalance(system, state, work, island, c):
     for k in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
         line = islands.lines[k]
         first, last = line_nodes(lines, line)
-        if system.riders.of_line[line] != FLEXIBLE:
+        if system.riders.lines[line, CARRIER] != FLEXIBLE:
             continue
         for end in range(2):
             if lines.end_unknown[line, end] >= 0:
@@ -117,7 +118,7 @@ def largest_imbalance(system, state, work, island, c):
             total += size
             if not size <= worst:
                 worst, where = size, i
-    for p in range(p0 + islands.riders[island], p1):
+    for p in range(p0 + islands.rides[island, 0], p1):
         row = point_row(lines, islands.points[p])
         size = dot(get(work.force, row), get(work.force, row))
         total += size
@@ -126,8 +127,8 @@ def largest_imbalance(system, state, work, island, c):
     if islands.object_ptr[island + 1] > islands.object_ptr[island]:
         load_objects(system, state, work, island, c)
         for k in range(islands.object_ptr[island], islands.object_ptr[island + 1]):
-            row = islands.object_row[k]
-            turn = scale(1.0 / system.rigid.size[islands.objects[k]], get(work.force, row + 1))
+            row = islands.objects[k, 1]
+            turn = scale(1.0 / system.rigid.table[islands.objects[k, 0], SIZE], get(work.force, row + 1))
             size = dot(get(work.force, row), get(work.force, row)) + dot(turn, turn)
             total += size
             if not size <= worst:
@@ -159,13 +160,13 @@ def shift(system, state, work, island, on_position, on_velocity, on_acceleration
         if not size <= largest:
             largest, where = size, row
     for k in range(2 * islands.object_ptr[island], 2 * islands.object_ptr[island + 1]):
-        row = islands.object_row[k // 2] + k % 2
+        row = islands.objects[k // 2, 1] + k % 2
         size = shift_row(state, work.increment, row, on_position, on_velocity, on_acceleration)
-        size *= system.rigid.size[islands.objects[k // 2]] ** 2 if k % 2 else 1.0
+        size *= system.rigid.table[islands.objects[k // 2, 0], SIZE] ** 2 if k % 2 else 1.0
         total += size
         if not size <= largest:
             largest, where = size, row
-    if islands.rides[island]:
+    if islands.rides[island, 1]:
         settle(system, state, work, island)
     if not total < 1e300:
         largest = 1e300

@@ -13,7 +13,7 @@ import numpy as np
 
 from moorage._jit import inlined, kernel
 from moorage._vec3 import add, cross, dot, get, mat_get, mat_mat, mat_times, put, scale, sub
-from moorage.layout import FLEXIBLE, Weights, line_nodes, memory_of, point_row, water_of
+from moorage.layout import BASE, CARRIER, FLEXIBLE, Weights, line_nodes, memory_of, point_row, water_of
 from moorage.physics.bathymetry import bed_at
 from moorage.physics.contact import contact_terms, near_bed
 from moorage.physics.friction import NONE, friction_terms
@@ -128,7 +128,7 @@ def sample_island(system, state, t, island, sample):
     for m in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
         line = islands.lines[m]
         first, last = line_nodes(system.lines, line)
-        if system.riders.of_line[line] != FLEXIBLE:
+        if system.riders.lines[line, CARRIER] != FLEXIBLE:
             sample_rod(system, state, line, sample)
             continue
         for end in range(2):
@@ -245,7 +245,7 @@ def record_objects(system, old, now, island, h, s, record, row):
     """Write the motion of the objects of an island at the fraction s of the step from `old` to `now` of length h."""
     islands = system.islands
     for k in range(islands.object_ptr[island], islands.object_ptr[island + 1]):
-        o, i = islands.objects[k], islands.object_row[k]
+        o, i = islands.objects[k, 0], islands.objects[k, 1]
         out = record.objects[row]
         v0, v1 = get(old.velocity, i), get(now.velocity, i)
         put_row(out, o, PLACE, hermite(get(old.position, i), v0, get(now.position, i), v1, h, s))
@@ -253,7 +253,7 @@ def record_objects(system, old, now, island, h, s, record, row):
         put_row(out, o, RISE, mix(s, get(old.acceleration, i), get(now.acceleration, i)))
         turned, w0, w1 = get(now.position, i + 1), get(old.velocity, i + 1), get(now.velocity, i + 1)
         angle = hermite((0.0, 0.0, 0.0), w0, turned, turning_rate(turned, w1), h, s)
-        R = mat_mat(mat_get(now.base, o), rotation(angle))
+        R = mat_mat(mat_get(now.frames[BASE], o), rotation(angle))
         for x in range(9):
             out[o, TURN + x] = R[x]
         put_row(out, o, SPIN, mat_times(R, mix(s, w0, w1)))

@@ -141,11 +141,13 @@ def _put_back(built: Built, island: int, begin: State) -> None:
     lines = islands.lines[islands.line_ptr[island] : islands.line_ptr[island + 1]]
     points = islands.points[islands.point_ptr[island] : islands.point_ptr[island + 1]]
     objects = slice(*islands.object_ptr[island : island + 2])
-    own = islands.object_row[objects]
+    own = islands.objects[objects, 1]
     rows = np.concatenate([*(np.arange(ptr[k], ptr[k + 1]) for k in lines), ptr[-1] + points, own, own + 1])
     for name, target, source in zip(State._fields, built.state, begin, strict=True):
-        which = islands.objects[objects] if name in OF_OBJECTS else rows
-        target[which] = source[which]
+        if name in OF_OBJECTS:
+            target[:, islands.objects[objects, 0]] = source[:, islands.objects[objects, 0]]
+        else:
+            target[rows] = source[rows]
 
 
 def _reach(built: Built, island: int) -> float:

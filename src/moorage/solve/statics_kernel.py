@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from moorage._jit import kernel
 from moorage._vec3 import dot, get, put
-from moorage.layout import FLEXIBLE, Weights, line_nodes, point_row, put_memory
+from moorage.layout import CARRIER, FLEXIBLE, Weights, line_nodes, point_row, put_memory
 from moorage.physics.soil import FRESH
 from moorage.solve.newton import assemble_island, largest_imbalance, shift, solve_island
 from moorage.system.attach import attach
@@ -33,7 +33,7 @@ def stop_island(lines, islands, state, island):
         put(state.acceleration, row, zero)
         put(state.auxiliary, row, zero)
     for k in range(2 * islands.object_ptr[island], 2 * islands.object_ptr[island + 1]):
-        row = islands.object_row[k // 2] + k % 2
+        row = islands.objects[k // 2, 1] + k % 2
         put(state.velocity, row, zero)
         put(state.acceleration, row, zero)
         put(state.auxiliary, row, zero)
@@ -165,13 +165,13 @@ def work_done(system, work, island):
     for m in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
         line = islands.lines[m]
         first, last = line_nodes(lines, line)
-        if system.riders.of_line[line] == FLEXIBLE:
+        if system.riders.lines[line, CARRIER] == FLEXIBLE:
             for i in range(first + 1, last):
                 total += dot(get(force, i), get(increment, i))
-    for p in range(islands.point_ptr[island] + islands.riders[island], islands.point_ptr[island + 1]):
+    for p in range(islands.point_ptr[island] + islands.rides[island, 0], islands.point_ptr[island + 1]):
         row = point_row(lines, islands.points[p])
         total += dot(get(force, row), get(increment, row))
     for k in range(2 * islands.object_ptr[island], 2 * islands.object_ptr[island + 1]):
-        row = islands.object_row[k // 2] + k % 2
+        row = islands.objects[k // 2, 1] + k % 2
         total += dot(get(force, row), get(increment, row))
     return total

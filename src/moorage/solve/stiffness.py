@@ -10,7 +10,7 @@ import numpy as np
 
 from moorage._jit import inlined, kernel
 from moorage._vec3 import mat_get, mat_put, mat_transpose, sym_get, sym_to_general
-from moorage.layout import FLEXIBLE, Weights, copy_of, line_nodes, water_of
+from moorage.layout import CARRIER, FLEXIBLE, Weights, copy_of, line_nodes, water_of
 from moorage.model.motion import rotation_matrices
 from moorage.physics.bending import PINNED
 from moorage.physics.point import point_terms
@@ -34,7 +34,7 @@ def condense_island(system, state, work, island, c, blocks, across):
     for m in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
         line = islands.lines[m]
         first, last = line_nodes(lines, line)
-        if system.riders.of_line[line] != FLEXIBLE:
+        if system.riders.lines[line, CARRIER] != FLEXIBLE:
             continue
         reduce_line(lines, work, line, True)
         near, far = lines.inner_unknown[line, 0] >= 0, lines.inner_unknown[line, 1] >= 0

@@ -44,7 +44,7 @@ def copy_free_ends(lines, islands, island, values):
 def settle(system, state, work, island):
     """Give what rides on objects, and line ends on free points and riders, the motion of these."""
     lines, islands = system.lines, system.islands
-    if islands.rides[island]:
+    if islands.rides[island, 1]:
         place_riders(lines, islands, system.riders, state, work.direction, island)
     if islands.point_ptr[island + 1] > islands.point_ptr[island]:
         copy_free_ends(lines, islands, island, state.position)
@@ -56,6 +56,6 @@ def settle(system, state, work, island):
 def attach(system, state, work, island, t):
     """Give all line ends of an island the motion of their points at time t, and riders that of their objects."""
     place_prescribed_ends(system, state, work, island, t)
-    if system.islands.rides[island]:
+    if system.islands.rides[island, 1]:
         place_pins(system.islands, system.riders, system.tracks, state, island, t)
     settle(system, state, work, island)

@@ -7,7 +7,24 @@ from typing import NamedTuple
 
 import numpy as np
 
-from moorage.layout import FLEXIBLE, HELD, Breaks, Riders, State, System, Work, new_state, new_work, rows_of
+from moorage.layout import (
+    CARRIER,
+    FLEXIBLE,
+    HELD,
+    PIN,
+    ROW,
+    SPAN,
+    TOWARD,
+    WATERPLANE,
+    Breaks,
+    Riders,
+    State,
+    System,
+    Work,
+    new_state,
+    new_work,
+    rows_of,
+)
 from moorage.model import Attachment, Curve, Model, Motion
 from moorage.physics.morison import Morison
 from moorage.physics.motion import Tracks, no_tracks, spline_tracks
@@ -20,7 +37,7 @@ from moorage.system.bed import build_contact, build_friction
 from moorage.system.bends import build_bending
 from moorage.system.guess import hang_chains, place_guess
 from moorage.system.holders import Holders, holders_of, release
-from moorage.system.objects import Objects, build_rigid, rigid_rods, three
+from moorage.system.objects import Objects, build_rigid, rigid_rods, three, waterplanes
 from moorage.system.sea import build_current, build_sea
 from moorage.system.segments import NodeSum, segment_table
 from moorage.system.topology import islands_of
@@ -150,7 +167,7 @@ def build(
         sea=build_sea(env.waves),
         tracks=_tracks(motion, holders, clamps + axes),
     )
-    state = new_state(rows_of(system), len(riders.row))
+    state = new_state(rows_of(system), len(riders.objects))
     place_objects(holders.objects, riders, state)
     weight = env.gravity * (m - env.water_density * segments["area"])
     place_guess(model, system, state, l, weight)
@@ -228,24 +245,17 @@ def _riders(model: Model, holders: Holders, node_ptr, of_clamp, toward) -> Rider
     objects, lines, rods = holders.objects, len(model.lines), rigid_rods(model)
     n = len(objects.names)
     first = int(node_ptr[-1]) + len(holders.rest)
-    of_line, span = np.full(lines + len(rods), FLEXIBLE, dtype=np.int64), np.zeros((lines + len(rods), 2, 3))
+    links = np.column_stack([np.full(lines + len(rods), FLEXIBLE), of_clamp]).astype(np.int64)
+    places = np.zeros((lines + len(rods), 5, 3))
+    places[:, TOWARD : TOWARD + 2], places[:, WATERPLANE, 0] = toward, waterplanes(model)
     for k, rod in enumerate(rods):
         ends = [holders.number[Attachment("rod", rod.id, end)] for end in ("A", "B")]  # type: ignore[arg-type]
         on = holders.of_point[ends[0]]
-        of_line[lines + k] = HELD if on < 0 else on
-        span[lines + k] = holders.arm[ends]
-    return Riders(
-        first + 2 * np.arange(n, dtype=np.int64),
-        holders.pin,
-        np.full(n, -1, dtype=np.int64),
-        np.full(n, -1, dtype=np.int64),
-        holders.of_point,
-        holders.arm,
-        of_line,
-        span,
-        of_clamp,
-        toward,
-    )
+        links[lines + k, CARRIER] = HELD if on < 0 else on
+        places[lines + k, SPAN : SPAN + 2] = holders.arm[ends]
+    own = np.full((n, 4), -1, dtype=np.int64)
+    own[:, ROW], own[:, PIN] = first + 2 * np.arange(n), holders.pin
+    return Riders(own, holders.of_point, holders.arm, links, places)
 
 
 def _add_ends(model: Model, nodes, node_ptr) -> None:
@@ -261,7 +271,7 @@ def _add_ends(model: Model, nodes, node_ptr) -> None:
 def place_objects(objects: Objects, riders: Riders, state: State) -> None:
     """Put the objects where they start."""
     state.position[riders.row] = objects.position
-    state.attitude[...] = state.base[...] = objects.rotation.reshape(-1, 9)
+    state.frames[...] = objects.rotation.reshape(-1, 9)
 
 
 def releases_of(model: Model, motion: Motion | None = None, duration: float | None = None) -> Releases:
@@ -280,8 +290,7 @@ def _breaks(model: Model, released: frozenset[int]) -> Breaks:
                     held = [end for end, at in enumerate((line.end_a, line.end_b)) if at == failure.attachment]
                     rows += [(j, end, failure.tension, k) for end in held]
     columns = np.array(rows, dtype=float).reshape(-1, 4).T
-    places, ends, failures = (columns[c].astype(np.int64) for c in (0, 1, 3))
-    return Breaks(places, ends, columns[2].copy(), failures)
+    return Breaks(np.ascontiguousarray(columns[[0, 1, 3]].T.astype(np.int64)), columns[2].copy())
 
 
 def with_motion(built: Built, tracks: Tracks) -> Built:
@@ -337,14 +346,14 @@ def _points(model: Model, count: int) -> PointLoads:
 
     mass = column([p.mass for p in model.points])
     volume = column([p.volume for p in model.points])
-    force = np.zeros((count, 3))
-    force[: len(model.points)] = np.array([p.external_force for p in model.points], dtype=float).reshape(-1, 3)
-    damping = np.zeros((count, 2, 3))
+    given = np.zeros((count, 3, 3))
+    given[: len(model.points), 0] = np.array([p.external_force for p in model.points], dtype=float).reshape(-1, 3)
     place = {point.id: k for k, point in enumerate(model.points)}
     for load in model.external_loads:
         if load.target == "point":
-            force[place[load.target_id]] += load.force
-            damping[place[load.target_id]] += [three(load.linear_damping), three(load.quadratic_damping)]
+            given[place[load.target_id]] += [
+                load.force, three(load.linear_damping), three(load.quadratic_damping),
+            ]  # fmt: skip
     return PointLoads(
         mass,
         env.water_density * volume * column([p.added_mass for p in model.points]),
@@ -353,6 +362,5 @@ def _points(model: Model, count: int) -> PointLoads:
         env.gravity * env.water_density * volume,
         0.5 * env.water_density * column([p.drag_area for p in model.points]),
         np.maximum((0.75 * volume / np.pi) ** (1.0 / 3.0), 1e-3),
-        force,
-        damping,
+        given,
     )

@@ -11,7 +11,7 @@ import numpy as np
 
 from moorage.model import Body, Environment, Model, Rod
 from moorage.model.motion import rotation_matrices
-from moorage.physics.rigid import RigidLoads
+from moorage.physics import rigid
 
 MOVING = ("free", "pinned", "coupled-pinned")
 
@@ -92,37 +92,34 @@ def beyond_nodes(model: Model, rod: Rod, axis: np.ndarray) -> np.ndarray:
     return across * (np.eye(3) - along) + mass * d**2 / 8.0 * along
 
 
-def build_rigid(model: Model, things: list[Rod | Body], reach: np.ndarray) -> RigidLoads:
+def build_rigid(model: Model, things: list[Rod | Body], reach: np.ndarray) -> rigid.RigidLoads:
     """Return the loads of rods and bodies by themselves; reach: the longest arms (m) on them, which give their size."""
     env, n = model.environment, len(things)
-    zero3 = np.zeros((n, 3))
-    p = RigidLoads(
-        np.zeros(n), zero3.copy(), np.zeros((n, 9)), np.zeros(n), np.zeros(n), zero3.copy(), np.zeros(n),
-        np.full(n, 1e-3), zero3.copy(), np.zeros((n, 6)), np.zeros(n, dtype=bool), waterplanes(model), np.ones(n),
-        zero3.copy(), np.zeros(n, dtype=bool), np.zeros((n, 2, 3)), np.zeros(n, dtype=bool),
-    )  # fmt: skip
+    p = np.zeros((n, rigid.COLUMNS))
+    p[:, rigid.RADIUS] = 1e-3
     for o, thing in enumerate(things):
         inertia = np.zeros((3, 3))
         if isinstance(thing, Rod):
-            p.slender[o] = True
+            p[o, rigid.SLENDER] = 1.0
             inertia += beyond_nodes(model, thing, np.array([1.0, 0.0, 0.0]))
         else:
-            fill_body(p, o, thing, env, model.flavour)
+            fill_body(p[o], thing, env, model.flavour)
             inertia += np.diag(thing.inertia) + env.water_density * thing.volume * np.diag(thing.added_mass[3:])
             for rod in model.rods:
                 if rod.body == thing.id and rod.segments and rod.kind != "pinned":
                     inertia += beyond_nodes(model, rod, np.array(rod.direction))
-        p.inertia[o] = inertia.ravel()
+        p[o, rigid.INERTIA :] = inertia.ravel()
         gyration = np.sqrt(np.trace(inertia) / (2.0 * thing.mass)) if isinstance(thing, Body) and thing.mass else 0.0
-        p.size[o] = max(reach[o], gyration, 1e-2)
+        p[o, rigid.SIZE] = max(reach[o], gyration, 1e-2)
         for load in model.external_loads:
             if load.target == ("rod" if isinstance(thing, Rod) else "body") and load.target_id == thing.id:
                 # only damping of a rod is in its own axes: they begin with that along it, the last one in the file
                 order = [2, 0, 1] if isinstance(thing, Rod) and load.local else [0, 1, 2]
-                p.force[o] += load.force
-                p.force_turns[o], p.damping_turns[o] = load.local and isinstance(thing, Body), load.local
-                p.damping[o] += np.array([three(load.linear_damping), three(load.quadratic_damping)])[:, order]
-    return p
+                p[o, rigid.FORCE : rigid.FORCE + 3] += load.force
+                p[o, rigid.FORCE_TURNS], p[o, rigid.DAMPING_TURNS] = load.local and isinstance(thing, Body), load.local
+                p[o, rigid.LINEAR : rigid.LINEAR + 3] += three(load.linear_damping)[order]
+                p[o, rigid.QUADRATIC : rigid.QUADRATIC + 3] += three(load.quadratic_damping)[order]
+    return rigid.RigidLoads(p)
 
 
 def three(values) -> np.ndarray:
@@ -131,17 +128,17 @@ def three(values) -> np.ndarray:
     return np.array([values[0], values[0], values[1]]) if len(values) == 2 else (np.tile(values, 3))[:3]
 
 
-def fill_body(p: RigidLoads, o: int, body: Body, env: Environment, flavour: str) -> None:
-    """Set the loads of a body."""
+def fill_body(p: np.ndarray, body: Body, env: Environment, flavour: str) -> None:
+    """Set the loads of a body in its row of the table."""
     rho, g = env.water_density, env.gravity
-    p.mass[o], p.weight[o] = body.mass, -g * body.mass
-    p.centre[o] = body.centre_of_gravity
+    p[rigid.MASS], p[rigid.WEIGHT] = body.mass, -g * body.mass
+    p[rigid.CENTRE : rigid.CENTRE + 3] = body.centre_of_gravity
     # MoorDyn lets buoyancy act at the centre of gravity
-    p.buoyant[o] = body.centre_of_gravity if flavour.startswith("MoorDyn") else 0.0
-    p.displaced[o], p.buoyancy[o] = rho * body.volume, rho * g * body.volume
-    p.radius[o] = max((0.75 * body.volume / np.pi) ** (1.0 / 3.0), 1e-3)
-    p.added[o] = rho * body.volume * np.array(body.added_mass[:3])
-    p.drag[o] = 0.5 * rho * np.array(body.drag_area)
+    p[rigid.BUOYANT : rigid.BUOYANT + 3] = body.centre_of_gravity if flavour.startswith("MoorDyn") else 0.0
+    p[rigid.DISPLACED], p[rigid.BUOYANCY] = rho * body.volume, rho * g * body.volume
+    p[rigid.RADIUS] = max((0.75 * body.volume / np.pi) ** (1.0 / 3.0), 1e-3)
+    p[rigid.ADDED : rigid.ADDED + 3] = rho * body.volume * np.array(body.added_mass[:3])
+    p[rigid.DRAG : rigid.DRAG + 6] = 0.5 * rho * np.array(body.drag_area)
 
 
 def waterplanes(model: Model) -> np.ndarray:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from moorage._jit import inlined, kernel
 from moorage._vec3 import add, get, mat_get, mat_mat, mat_put, mat_times, put, scale, sub
-from moorage.layout import HELD, line_nodes, point_row
+from moorage.layout import ATTITUDE, BASE, CARRIER, CLAMP, HELD, PIN, ROW, SPAN, TOWARD, line_nodes, point_row
 from moorage.physics.motion import follow
 from moorage.physics.rigid import arm_motion, rotation
 
@@ -21,13 +21,13 @@ def vector(a, i, j):
 def place_pins(islands, riders, tracks, state, island, t):
     """Give the objects of an island that are pinned to the ground, or to prescribed motion, their place at time t."""
     for k in range(islands.object_ptr[island], islands.object_ptr[island + 1]):
-        o = islands.objects[k]
-        pin = riders.pin[o]
-        if pin >= 0 and riders.of_point[pin] < 0:
+        o = islands.objects[k, 0]
+        pin = riders.objects[o, PIN]
+        if pin >= 0 and riders.points[pin] < 0:
             r, v, a = follow(tracks, pin, t)
-            put(state.position, riders.row[o], r)
-            put(state.velocity, riders.row[o], v)
-            put(state.acceleration, riders.row[o], a)
+            put(state.position, riders.objects[o, ROW], r)
+            put(state.velocity, riders.objects[o, ROW], v)
+            put(state.acceleration, riders.objects[o, ROW], a)
 
 
 @kernel
@@ -37,21 +37,23 @@ def place_riders(lines, islands, riders, state, direction, island):
     Bodies come before the rods that are pinned to them. direction (lines, 2, 3): of the clamps.
     """
     for k in range(islands.object_ptr[island + 1] - 1, islands.object_ptr[island] - 1, -1):
-        o = islands.objects[k]
-        row, pin = riders.row[o], riders.pin[o]
-        if pin >= 0 and riders.of_point[pin] >= 0:
+        o = islands.objects[k, 0]
+        row, pin = riders.objects[o, ROW], riders.objects[o, PIN]
+        if pin >= 0 and riders.points[pin] >= 0:
             i = point_row(lines, pin)
             put(state.position, row, get(state.position, i))
             put(state.velocity, row, get(state.velocity, i))
             put(state.acceleration, row, get(state.acceleration, i))
-        mat_put(state.attitude, o, mat_mat(mat_get(state.base, o), rotation(get(state.position, row + 1))))
-        for p in range(islands.point_ptr[island], islands.point_ptr[island] + islands.riders[island]):
+        mat_put(
+            state.frames[ATTITUDE], o, mat_mat(mat_get(state.frames[BASE], o), rotation(get(state.position, row + 1)))
+        )
+        for p in range(islands.point_ptr[island], islands.point_ptr[island] + islands.rides[island, 0]):
             point = islands.points[p]
-            if riders.of_point[point] == o:
+            if riders.points[point] == o:
                 ride(riders, state, o, point_row(lines, point), get(riders.arm, point))
     for k in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
         line = islands.lines[k]
-        o = riders.of_line[line]
+        o = riders.lines[line, CARRIER]
         first, last = line_nodes(lines, line)
         if o >= 0:
             for i in range(first, last + 1):
@@ -61,16 +63,16 @@ def place_riders(lines, islands, riders, state, direction, island):
             span_between(state.velocity, first, last)
             span_between(state.acceleration, first, last)
         for end in range(2):
-            if riders.of_clamp[line, end] >= 0:
-                R = mat_get(state.attitude, riders.of_clamp[line, end])
-                put(direction[line], end, mat_times(R, vector(riders.clamp, line, end)))
+            if riders.lines[line, CLAMP + end] >= 0:
+                R = mat_get(state.frames[ATTITUDE], riders.lines[line, CLAMP + end])
+                put(direction[line], end, mat_times(R, vector(riders.places, line, TOWARD + end)))
 
 
 @inlined
 def ride(riders, state, o, i, arm):
     """Set the motion of a row that rides on an object."""
-    row = riders.row[o]
-    R = mat_get(state.attitude, o)
+    row = riders.objects[o, ROW]
+    R = mat_get(state.frames[ATTITUDE], o)
     put(state.position, i, add(get(state.position, row), mat_times(R, arm)))
     omega, alpha = get(state.velocity, row + 1), get(state.acceleration, row + 1)
     v, a = arm_motion(R, get(state.velocity, row), get(state.acceleration, row), omega, alpha, arm)
@@ -81,7 +83,7 @@ def ride(riders, state, o, i, arm):
 @inlined
 def rider_arm(riders, line, first, last, i):
     """Arm of node i of a rigid line on its object, m."""
-    a, b = vector(riders.span, line, 0), vector(riders.span, line, 1)
+    a, b = vector(riders.places, line, SPAN + 0), vector(riders.places, line, SPAN + 1)
     return add(a, scale((i - first) / (last - first), sub(b, a)))
 
 
@@ -97,6 +99,6 @@ def span_between(values, first, last):
 def begin_turning(islands, state, island):
     """Count the rotations of the objects of an island from where they are now."""
     for k in range(islands.object_ptr[island], islands.object_ptr[island + 1]):
-        o = islands.objects[k]
-        mat_put(state.base, o, mat_get(state.attitude, o))
-        put(state.position, islands.object_row[k] + 1, ZERO3)
+        o = islands.objects[k, 0]
+        mat_put(state.frames[BASE], o, mat_get(state.frames[ATTITUDE], o))
+        put(state.position, islands.objects[k, 1] + 1, ZERO3)

@@ -6,7 +6,7 @@ import numpy as np
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
-from moorage.layout import FLEXIBLE, Islands, Joints, Lines, Riders
+from moorage.layout import CARRIER, CLAMP, FLEXIBLE, ROTATION, TRANSLATION, Islands, Joints, Lines, Riders
 
 
 def islands_of(node_ptr, ends, free, bends, joints: Joints, riders: Riders):
@@ -29,7 +29,7 @@ def islands_of(node_ptr, ends, free, bends, joints: Joints, riders: Riders):
     Lines, Islands, Joints (in the order of the islands), island of each line
     """
     n, points = len(ends), len(free)
-    flexible, rides = riders.of_line == FLEXIBLE, riders.of_point >= 0
+    flexible, rides = riders.lines[:, CARRIER] == FLEXIBLE, riders.points >= 0
     moving = free | rides
     label = _components(ends, moving, flexible, riders)
     unknown_points = np.flatnonzero(moving)
@@ -62,20 +62,22 @@ def islands_of(node_ptr, ends, free, bends, joints: Joints, riders: Riders):
                 inner[joints.line[m, side], joints.end[m, side]] = len(rows)
                 rows.append(_beside(node_ptr, joints.line[m, side], joints.end[m, side]))
         for line in line_order[line_ptr[i] : line_ptr[i + 1]]:
-            for end in np.flatnonzero(riders.of_clamp[line] >= 0):
+            for end in np.flatnonzero(riders.lines[line, CLAMP:] >= 0):
                 inner[line, end] = len(rows)
                 rows.append(_beside(node_ptr, line, end))
         for o in object_order[object_ptr[i] : object_ptr[i + 1]]:
             if riders.pin[o] < 0:
-                riders.translation[o] = len(rows)
+                riders.objects[o, TRANSLATION] = len(rows)
                 rows.append(int(riders.row[o]))
             else:
-                riders.translation[o] = number[riders.pin[o]] if rides[riders.pin[o]] else -1
-            riders.rotation[o] = len(rows)
+                riders.objects[o, TRANSLATION] = number[riders.pin[o]] if rides[riders.pin[o]] else -1
+            riders.objects[o, ROTATION] = len(rows)
             rows.append(int(riders.row[o]) + 1)
         unknown_rows.append(rows)
     unknowns = np.array([len(rows) for rows in unknown_rows], dtype=np.int64)
     lines = Lines(node_ptr, ends, np.where(flexible[:, None], number[ends], -1), inner, bends, beyond)
+    riding = np.bincount(of_point[rides[unknown_points]], minlength=count)
+    has_objects = np.bincount(of_line[~flexible], minlength=count) + np.diff(object_ptr) > 0
     islands = Islands(
         line_ptr,
         line_order,
@@ -83,11 +85,8 @@ def islands_of(node_ptr, ends, free, bends, joints: Joints, riders: Riders):
         points_in_order,
         joint_ptr,
         object_ptr,
-        object_order,
-        riders.row[object_order],
-        np.add.reduceat(np.append(rides[points_in_order], False), point_ptr[:-1]).astype(np.int64)
-        * (np.diff(point_ptr) > 0),
-        np.bincount(of_line[~flexible], minlength=count) + np.diff(object_ptr) > 0,
+        np.stack([object_order, riders.row[object_order]], axis=1),
+        np.stack([riding, has_objects.astype(np.int64)], axis=1),
         np.concatenate([[0], np.cumsum(unknowns)]).astype(np.int64),
         np.array([row for rows in unknown_rows for row in rows], dtype=np.int64),
         np.concatenate([[0], np.cumsum((3 * unknowns) ** 2)]).astype(np.int64),
@@ -97,11 +96,11 @@ def islands_of(node_ptr, ends, free, bends, joints: Joints, riders: Riders):
 
 def _components(ends, moving, flexible, riders: Riders):
     """Label lines, points and objects (in this order) by what belongs together."""
-    n, points, objects = len(ends), len(moving), len(riders.row)
+    n, points, objects = len(ends), len(moving), len(riders.objects)
     pairs = [(k, n + holder) for k, both in enumerate(ends) for holder in both if moving[holder] and flexible[k]]
-    pairs += [(n + point, n + points + o) for point, o in enumerate(riders.of_point) if o >= 0]
-    pairs += [(k, n + points + o) for k, o in enumerate(riders.of_line) if o >= 0]
-    pairs += [(n + pin, n + points + o) for o, pin in enumerate(riders.pin) if pin >= 0 and riders.of_point[pin] >= 0]
+    pairs += [(n + point, n + points + o) for point, o in enumerate(riders.points) if o >= 0]
+    pairs += [(k, n + points + o) for k, o in enumerate(riders.lines[:, CARRIER]) if o >= 0]
+    pairs += [(n + pin, n + points + o) for o, pin in enumerate(riders.pin) if pin >= 0 and riders.points[pin] >= 0]
     rows, columns = np.array(pairs, dtype=np.int64).reshape(-1, 2).T
     size = n + points + objects
     return connected_components(coo_array((np.ones(len(rows)), (rows, columns)), shape=(size, size)), directed=False)[1]

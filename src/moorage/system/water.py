@@ -26,7 +26,7 @@ def set_water(lines, islands, sea, current, table, state, island, t):
         row = point_row(lines, islands.points[m])
         water_at_row(sea, current, table, state.position, state.water, island, row, t, share)
     for m in range(islands.object_ptr[island], islands.object_ptr[island + 1]):
-        row = islands.object_row[m]
+        row = islands.objects[m, 1]
         water_at_row(sea, current, table, state.position, state.water, island, row, t, share)
 
 
@@ -111,7 +111,7 @@ def next_interval(lines, islands, sea, table, position, velocity, island, t):
     for m in range(islands.point_ptr[island], islands.point_ptr[island + 1]):
         next_row(sea, table, position, velocity, island, point_row(lines, islands.points[m]), t)
     for m in range(islands.object_ptr[island], islands.object_ptr[island + 1]):
-        next_row(sea, table, position, velocity, island, islands.object_row[m], t)
+        next_row(sea, table, position, velocity, island, islands.objects[m, 1], t)
 
 
 @inlined
