@@ -15,7 +15,8 @@ def run(job):
     ----------
     job : dict
         `model`: path. `time` (n,): ends of coupling steps, s. `position` (n, m, 3): coupled points, m. `places` (k, 3),
-        optional: where the water is asked for, m.
+        optional: where the water is asked for, m. `water` (n - 1, 2, 3), optional: velocity and acceleration of the
+        water in each step, the same everywhere and held, m/s and m/s2 (for WaveKin 1).
 
     Returns
     -------
@@ -33,9 +34,16 @@ def run(job):
     nodes = [(line, i) for line in lines for i in range(moordyn.GetLineNumberNodes(line))]
     last = [(line, moordyn.GetLineNumberNodes(line) - 1) for line in lines]
     waves = moordyn.GetWaves(system) if len(places) else None
+    water = job.get("water", np.zeros((0, 2, 3)))
+    if len(water):
+        moordyn.ExternalWaveKinInit(system)
+    # its GetN gives an error code
+    count = len(moordyn.ExternalWaveKinGetCoordinates(system)) if len(water) else 0
     velocity = np.diff(points, axis=0) / np.diff(at)[:, None]
     rows = [_row(nodes, last, waves, places)]
     for k, step in enumerate(np.diff(at)):
+        if len(water):
+            moordyn.ExternalWaveKinSet(system, *(np.tile(values, (count, 1)).tolist() for values in water[k]), at[k])
         moordyn.Step(system, points[k].tolist(), velocity[k].tolist(), float(at[k]), float(step))
         rows.append(_row(nodes, last, waves, places))
     return {name: np.array([row[name] for row in rows]) for name in rows[0]}
