@@ -32,6 +32,7 @@ from moorage._vec3 import (
     sym_to_general,
 )  # fmt: skip
 from moorage.layout import line_nodes, memory_of, water_of
+from moorage.physics.bathymetry import bed_at
 from moorage.physics.bending import (
     PAPER,
     PINNED,
@@ -45,7 +46,6 @@ from moorage.physics.bending import (
     node_hinge,
     tabulated,
 )
-from moorage.physics.bathymetry import bed_at
 from moorage.physics.contact import contact_on, near_bed
 from moorage.physics.friction import NONE, friction_terms
 from moorage.physics.morison import (
