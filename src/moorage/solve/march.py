@@ -14,6 +14,7 @@ from scipy.sparse import csr_array
 from moorage.errors import SimulationError
 from moorage.layout import new_state
 from moorage.physics.motion import sample_track
+from moorage.physics.soil import Law
 from moorage.solve import record as columns
 from moorage.solve.march_kernel import OK, UNSTABLE, Clocks, Control, march_islands, start_islands
 from moorage.solve.places import place_name
@@ -63,7 +64,7 @@ def default_tolerance(built: Built) -> float:
     shortest = float(built.names.segment_length.min(initial=np.inf))
     tolerance = max(1e-4 * shortest, min(2e-3, 2e-3 * shortest)) if np.isfinite(shortest) else 2e-3
     soil = built.system.contact.soil
-    return min(tolerance, float(soil.diameter.min()) / soil.stiffness) if soil.on else tolerance
+    return min(tolerance, float(soil.size[:, 1].min()) / Law(*soil.law.tolist()).stiffness) if soil.on else tolerance
 
 
 def control_of(settings: Settings, built: Built) -> Control:
