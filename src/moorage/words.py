@@ -37,12 +37,14 @@ def current_words(current: Current | CurrentGrid) -> str:
 
 
 def seabed_words(environment: Environment) -> str:
-    """Return the depth grid and the friction in words."""
+    """Return the depth grid, the soil and the friction in words."""
     grid, friction = environment.bathymetry, environment.friction
     parts = []
     if grid is not None:
         parts.append(f"depth grid {grid.file} of {len(grid.x)} by {len(grid.y)} points".replace("  ", " "))
         parts += [str(grid.resampling)] if grid.resampling else []
+    if environment.soil is not None:
+        parts.append(f"soil with a memory, s_u = {environment.soil}")
     if friction is not None:
         axial, transverse = f"{friction.axial:g}", f"{friction.transverse:g}"
         size = "by a map" if friction.map else f"{axial} along and {transverse} across the line"

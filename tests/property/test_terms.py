@@ -49,7 +49,7 @@ from moorage.physics.morison import (
 )
 from moorage.physics.motion import follow, spline_tracks
 from moorage.physics.point import PointLoads, point_terms, wet_fraction
-from moorage.physics.soil import FRESH, Soil, no_soil, remember, resistance
+from moorage.physics.soil import FRESH, Law, no_soil, remember, resistance, soil_under
 from moorage.physics.table import build_tables, interval, look_up
 from moorage.physics.tension import Tension, damping, elastic, segment_tension, tension_energy, tension_terms
 from moorage.physics.weight import wet_shares
@@ -472,7 +472,7 @@ def test_bed_pushes_with_minus_the_gradient_of_its_energy(bed, place, depth):
     agree(N * np.array(n), -derivative(lambda *x: [contact_energy(p, i, x)], r)[0], 1e-6, 5e3)
 
 
-SOIL = Soil(True, np.array([2.0]), np.array([0.1]), 6.0, 0.25, 5e3, 1.5e3, 200.0, 0.7, 0.6, 0.3, 7e3)
+SOIL = soil_under(np.array([2.0]), np.array([0.1]), Law(6.0, 0.25, 5e3, 1.5e3, 200.0, 0.7, 0.6, 0.3, 7e3))
 TURNS = {"fresh": (), "turned up": (0.04,), "turned down": (0.04, 0.01), "turned often": (0.06, 0.02, 0.04, 0.03)}
 
 

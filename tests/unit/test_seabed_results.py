@@ -9,7 +9,7 @@ from moorings import CHAIN, coupled, fixed, free, kind, line, mooring, weight_in
 
 import moorage
 from moorage import streaming
-from moorage.model import Bathymetry, Friction, Motion
+from moorage.model import Bathymetry, Friction, Motion, Soil
 from moorage.results import seabed_reports, static_report
 from moorage.results.seabed import running_integral, uplift
 from moorage.variables import VARIABLES
@@ -57,6 +57,15 @@ def test_only_what_is_sensible(model):
     assert ("friction_force" in static) == (model.environment.friction is not None)
     assert {"seabed_gap", "seabed_force", "touchdown_position", "anchor_uplift_force"} <= {*static}
     assert not {"friction_power", "dissipated_energy"} & {*static}
+
+
+def test_soil_shows_its_suction(surge):
+    ds = moorage.simulate(spread_of_one(soil=Soil(shear_strength=3e3)), motion=surge, duration=12.0, dt_out=0.25)
+    assert {"seabed_gap", "seabed_force", "touchdown_position", "anchor_uplift_force"} <= {*ds}
+    assert not {"friction_power", "dissipated_energy"} & {*ds}
+    assert ds["seabed_force"].min() < -1e3
+    assert ds["seabed_force"].values[ds["seabed_gap"].values > 0.0] == pytest.approx(0.0)
+    assert ds.attrs["soil"] == "with a memory, s_u = 3 kPa"
 
 
 def test_variables_have_their_dims(rough):

@@ -147,10 +147,10 @@ def test_even_grid_is_found_at_once():
     """The cell of an even grid comes without a search: the same surface, inside and outside, for unlike counts."""
     x, y = np.linspace(-70.0, 50.0, 9), np.linspace(10.0, 90.0, 6)
     bed = grid_bed(x, y, 100.0 + RANDOM.normal(0.0, 3.0, (9, 6)))
-    assert bed.cell.shape == (8, 5, 4)
+    assert bed.patch.shape == (8, 5, 4)
     for place in RANDOM.uniform([-80.0, 0.0], [60.0, 100.0], (2000, 2)):
         assert bed_at(bed, *place) == pytest.approx(searched_bed_at(bed, *place), rel=1e-11, abs=1e-11)
-    assert grid_bed(X, Y, ROUGH).cell.size == grid_bed(x, y, np.ones((9, 6)), smooth=True).cell.size == 0
+    assert grid_bed(X, Y, ROUGH).patch.size == 0  # an uneven one is searched
 
 
 @pytest.mark.parametrize("smooth", [False, True])

@@ -198,6 +198,11 @@ class Soil:
     buoyancy_factor: float = 1.5
     source: Source | None = field(default=None, compare=False, repr=False)
 
+    def __str__(self) -> str:
+        """Return its strength in words."""
+        growth = f" + {1e-3 * self.strength_gradient:g} kPa/m z" if self.strength_gradient else ""
+        return f"{1e-3 * self.shear_strength:g} kPa{growth}"
+
 
 @dataclass(frozen=True)
 class Current:

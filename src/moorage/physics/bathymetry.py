@@ -26,8 +26,10 @@ class Bathymetry(NamedTuple):
     x: Axis  # nx points; none: a flat bed
     y: Axis  # ny points
     level: np.ndarray  # (nx, ny) z of the bed, m
-    slope: np.ndarray  # (nx, ny, 3) z_x, z_y, z_xy at the grid points, of a smooth surface
-    cell: np.ndarray  # (nx - 1, ny - 1, 4) value and rises of the cells, of a bilinear surface on even spacing
+    patch: (
+        np.ndarray
+    )  # (nx, ny, 4) z_x, z_y, z_xy at the points of a smooth surface, and nothing; or of a bilinear one on
+    # even spacing (nx - 1, ny - 1, 4) a, b, c, d of its cells, a + b u + c v + d u v
     flat: float  # z of a flat bed, m
     highest: float  # no part of the bed is above this, m
     smooth: bool
@@ -35,25 +37,30 @@ class Bathymetry(NamedTuple):
 
 def flat_bed(level: float) -> Bathymetry:
     """Return a level bed at z = level (m)."""
-    return Bathymetry(
-        build_axis(()), build_axis(()), np.zeros((0, 0)), np.zeros((0, 0, 3)), np.zeros((0, 0, 4)), float(level),
-        float(level), False,
-    )  # fmt: skip
+    none = build_axis(())
+    return Bathymetry(none, build_axis(()), np.zeros((0, 0)), np.zeros((0, 0, 4)), float(level), float(level), False)
 
 
 def grid_bed(x, y, depth, smooth: bool = False) -> Bathymetry:
     """Return a bed through depths (nx, ny), m positive down, at x (nx,) and y (ny,), m."""
     x, y, level = np.array(x, float), np.array(y, float), -np.array(depth, float)
+    patch, highest = np.zeros((0, 0, 4)), float(level.max())
+    if smooth:
+        patch = slopes_of(x, y, level)
+        # a bicubic may overshoot its grid points by an eighth of a cell's slopes
+        steps = max(np.diff(x).max(initial=0.0), np.diff(y).max(initial=0.0))
+        highest += 0.25 * steps * float(np.abs(patch[:, :, :2]).max(initial=0.0))
+    elif is_even(x) and is_even(y):
+        patch = cells_of(level)
+    return Bathymetry(build_axis(x), build_axis(y), np.ascontiguousarray(level), patch, 0.0, highest, smooth)
+
+
+def slopes_of(x, y, level) -> np.ndarray:
+    """Return z_x, z_y and z_xy (nx, ny, 4; the last is nothing) at the points of a grid by central differences."""
     zx = np.gradient(level, x, axis=0) if len(x) > 1 else np.zeros_like(level)
     zy = np.gradient(level, y, axis=1) if len(y) > 1 else np.zeros_like(level)
     zxy = np.gradient(zx, y, axis=1) if len(y) > 1 else np.zeros_like(level)
-    slope = np.ascontiguousarray(np.stack([zx, zy, zxy], axis=2))
-    # a bicubic may overshoot its grid points by an eighth of a cell's slopes
-    steps = max(np.diff(x).max(initial=0.0), np.diff(y).max(initial=0.0))
-    rise = 0.25 * steps * float(np.abs(slope[:, :, :2]).max(initial=0.0)) if smooth else 0.0
-    axes = build_axis(x), build_axis(y)
-    cell = cells_of(level) if is_even(x) and is_even(y) and not smooth else np.zeros((0, 0, 4))
-    return Bathymetry(*axes, np.ascontiguousarray(level), slope, cell, 0.0, float(level.max()) + rise, smooth)
+    return np.ascontiguousarray(np.stack([zx, zy, zxy, np.zeros_like(level)], axis=2))
 
 
 def is_even(axis) -> bool:
@@ -74,12 +81,12 @@ def bed_at(p, x, y):
         return p.flat, 0.0, 0.0, 0.0, 0.0, 0.0
     # the way of nearly all nodes, for which a search of the cell costs as much as all other terms of the bed
     s, t = (x - p.x.at[0]) * p.x.rate, (y - p.y.at[0]) * p.y.rate
-    if 0.0 <= s < p.cell.shape[0] and 0.0 <= t < p.cell.shape[1]:
+    if not p.smooth and 0.0 <= s < p.patch.shape[0] and 0.0 <= t < p.patch.shape[1]:
         k, m = int(s), int(t)
         u, v = s - k, t - m
         if EASE <= u <= 1.0 - EASE and EASE <= v <= 1.0 - EASE:
             i, j = np.uintp(k), np.uintp(m)
-            a, b, c, d = p.cell[i, j, 0], p.cell[i, j, 1], p.cell[i, j, 2], p.cell[i, j, 3]
+            a, b, c, d = p.patch[i, j, 0], p.patch[i, j, 1], p.patch[i, j, 2], p.patch[i, j, 3]
             zu, zv = b + d * v, c + d * u
             return a + b * u + zv * v, zu * p.x.rate, zv * p.y.rate, 0.0, d * p.x.rate * p.y.rate, 0.0
     return searched_bed_at(p, x, y)
@@ -164,7 +171,7 @@ def bicubic(p, i, i1, j, j1, dx, dy, u, v):
             h, k = (V[0], V[1] * dy) if b == 0 else (V[2], V[3] * dy)
             h1, k1 = (V[4], V[5] * dy) if b == 0 else (V[6], V[7] * dy)
             h2, k2 = (V[8], V[9] * dy) if b == 0 else (V[10], V[11] * dy)
-            z, zx, zy, zxy = p.level[ii, jj], p.slope[ii, jj, 0], p.slope[ii, jj, 1], p.slope[ii, jj, 2]
+            z, zx, zy, zxy = p.level[ii, jj], p.patch[ii, jj, 0], p.patch[ii, jj, 1], p.patch[ii, jj, 2]
             out = (
                 out[0] + f * (h * z + k * zy) + g * (h * zx + k * zxy),
                 out[1] + f1 * (h * z + k * zy) + g1 * (h * zx + k * zxy),

@@ -28,12 +28,9 @@ from moorage._jit import inlined, kernel
 FRESH = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)  # never touched; (z, P, z0, P0, z_max, sense)
 
 
-class Soil(NamedTuple):
-    """Parameters."""
+class Law(NamedTuple):
+    """Numbers of a soil."""
 
-    on: bool
-    length: np.ndarray  # (nodes,) of line that a node stands for, m
-    diameter: np.ndarray  # (nodes,) m
     bearing: float  # a
     power: float  # b
     strength: float  # s_u0, undrained, at the mudline, Pa
@@ -45,9 +42,29 @@ class Soil(NamedTuple):
     lift: float  # weight of soil above that of water, with its factor, which buoys what is in it, N/m3
 
 
+class Soil(NamedTuple):
+    """Parameters; few of them, because every kernel that knows a system unpacks all."""
+
+    on: bool
+    size: np.ndarray  # (nodes, 2) length of line that a node stands for and its diameter, m
+    law: np.ndarray  # (9,) see `Law`
+
+
 def no_soil() -> Soil:
     """Return the parameters of a bed without such a soil."""
-    return Soil(False, np.zeros(0), np.zeros(0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    return Soil(False, np.zeros((0, 2)), np.zeros(9))
+
+
+def soil_under(length, diameter, law: Law) -> Soil:
+    """Return a soil under nodes that stand for lengths (nodes,) of line of diameters (nodes,), m."""
+    return Soil(True, np.column_stack([length, diameter]), np.array(law, float))
+
+
+@inlined
+def law_of(p):
+    """Numbers of a soil by name."""
+    n = p.law
+    return Law(n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8])
 
 
 @inlined
@@ -76,10 +93,10 @@ def resistance(p, i, memory, z):
     """Resistance of the soil on node i (N) at the penetration z (m), with its slope (N/m); memory: before the step."""
     if z <= 0.0:
         return 0.0, 0.0
-    D, l = p.diameter[i], p.length[i]
-    P, slope = branch(p, D, turned(memory, z), z)
+    l, D, law = p.size[i, 0], p.size[i, 1], law_of(p)
+    P, slope = branch(law, D, turned(memory, z), z)
     area, width = sunk_part(D, z)
-    return l * (P + p.lift * area), l * (slope + p.lift * width)
+    return l * (P + law.lift * area), l * (slope + law.lift * width)
 
 
 @inlined
@@ -133,4 +150,4 @@ def remember(p, i, memory, z):
     if z <= 0.0:
         return 0.0, 0.0, 0.0, 0.0, max(memory[4], memory[0]), 0.0
     turn = turned(memory, z)
-    return z, branch(p, p.diameter[i], turn, z)[0], turn[0], turn[1], turn[2], turn[3]
+    return z, branch(law_of(p), p.size[i, 1], turn, z)[0], turn[0], turn[1], turn[2], turn[3]

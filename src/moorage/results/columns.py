@@ -49,7 +49,7 @@ class Layout:
     bending : Bending or None
         For models with cables: what their columns need.
     seabed : Seabed or None
-        For models with friction or bathymetry: what their columns need.
+        For models with friction, a soil or bathymetry: what their columns need.
     waves : Waves, WaterFeed or None
         The sea, where there is one.
     carried : Carried or None

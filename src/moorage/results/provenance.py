@@ -46,11 +46,12 @@ def fingerprint(model: Model, motion: Motion | None, settings: Mapping[str, obje
 
 
 def _seabed(model: Model) -> dict[str, str]:
-    """Return where the depth grid comes from, and what was lost on the way."""
-    grid = model.environment.bathymetry
+    """Return where the depth grid comes from, what was lost on the way, and the soil."""
+    grid, soil = model.environment.bathymetry, model.environment.soil
+    strength = {"soil": f"with a memory, s_u = {soil}"} if soil else {}
     if grid is None:
-        return {}
-    return {
+        return strength
+    return strength | {
         "bathymetry": ", ".join(filter(None, [grid.file or "a grid", str(grid.resampling or "")])),
         "bathymetry_interpolation": "bicubic" if grid.smooth else "bilinear",
     }

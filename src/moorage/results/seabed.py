@@ -1,4 +1,4 @@
-"""The columns that a model with friction or bathymetry has beside the others: contact, friction, uplift, touchdown.
+"""The columns of models with friction, a soil or bathymetry beside the others: contact, friction, uplift, touchdown.
 
 The *uplift* of an anchor is the pull of the line on it away from the seabed: the force along the normal of the bed
 where end A stands at the start, and its angle over the bed. Neither is below zero while line lies on the bed, because
@@ -91,10 +91,10 @@ class Seabed:
 
 
 def seabed_of(model: Model, built: Built) -> Seabed | None:
-    """Return what the columns of a seabed need; None for one that is flat and has no friction."""
+    """Return what the columns of a seabed need; None for a flat spring without friction."""
     friction = model.environment.friction
     rough = friction is not None and friction.largest > 0.0
-    if not rough and model.environment.bathymetry is None:
+    if not rough and model.environment.bathymetry is None and model.environment.soil is None:
         return None
     bed, ends = built.system.contact.bed, built.state.position[built.names.node_ptr[:-1]]
     normal = np.array([normal_of(*bed_at(bed, x, y)[1:3]) for x, y, _ in ends]).reshape(-1, 3)

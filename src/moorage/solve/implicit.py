@@ -174,7 +174,7 @@ def implicit_step(system, now, trial, work, island, t, h, control):
     return converged, iterations, math.sqrt(total / rows), row
 
 
-@inlined
+@kernel
 def stick_island(system, now, trial, load, island):
     """Set where friction holds the nodes of an island, and what the soil remembers, after a step from `now` to `trial`.
 

@@ -14,6 +14,7 @@ from scipy.sparse import csr_array
 from moorage.errors import SimulationError
 from moorage.layout import OF_OBJECTS, new_state
 from moorage.physics.motion import sample_track
+from moorage.physics.soil import Law
 from moorage.solve import record as columns
 from moorage.solve.carried import carried
 from moorage.solve.given_water import WaterFeed, takes_water
@@ -65,7 +66,7 @@ def default_tolerance(built: Built) -> float:
     shortest = float(built.names.segment_length.min(initial=np.inf))
     tolerance = max(1e-4 * shortest, min(2e-3, 2e-3 * shortest)) if np.isfinite(shortest) else 2e-3
     soil = built.system.contact.soil
-    return min(tolerance, float(soil.diameter.min()) / soil.stiffness) if soil.on else tolerance
+    return min(tolerance, float(soil.size[:, 1].min()) / Law(*soil.law.tolist()).stiffness) if soil.on else tolerance
 
 
 def control_of(settings: Settings, built: Built) -> Control:

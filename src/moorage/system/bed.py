@@ -9,7 +9,7 @@ from moorage.physics import friction as law
 from moorage.physics.bathymetry import Bathymetry, flat_bed, grid_bed
 from moorage.physics.contact import Contact
 from moorage.physics.grid import build_grid, no_grid
-from moorage.physics.soil import Soil, no_soil
+from moorage.physics.soil import Law, Soil, no_soil, soil_under
 from moorage.physics.table import build_tables
 
 LAWS = {
@@ -45,11 +45,11 @@ def build_soil(env: Environment, area, length) -> Soil:
     if s is None:
         return no_soil()
     lift = 0.0 if s.density is None else s.buoyancy_factor * (s.density - env.water_density) * env.gravity
-    numbers = (
+    law = Law(
         s.bearing_factor, s.bearing_exponent, s.shear_strength, s.strength_gradient, s.maximum_stiffness,
         s.suction_ratio, s.suction_decay, s.repenetration_offset, lift,
     )  # fmt: skip
-    return Soil(True, length, area / length, *map(float, numbers))
+    return soil_under(length, area / length, law)
 
 
 def build_friction(model: Model, area) -> law.Friction:
