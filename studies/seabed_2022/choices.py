@@ -45,7 +45,11 @@ def of_the_mooring() -> Iterator[tuple[str, Callable[[], Model], Motion]]:
     yield "EA of the rope 55 MN instead of 110", lambda: with_type(base, "polyester", axial_stiffness=0.55e8), waves
     yield "EA of the rope 220 MN", lambda: with_type(base, "polyester", axial_stiffness=2.2e8), waves
     yield "drag of the chain 2.4 instead of 2.0", lambda: with_type(base, "chain", transverse_drag=2.4), waves
-    yield "seabed 0.3 MPa/m instead of 3", lambda: with_environment(base, seabed_stiffness=3e5, seabed_damping=1e4), waves
+    yield (
+        "seabed 0.3 MPa/m instead of 3",
+        lambda: with_environment(base, seabed_stiffness=3e5, seabed_damping=1e4),
+        waves,
+    )
     yield "seabed 30 MPa/m", lambda: with_environment(base, seabed_stiffness=3e7), waves
     yield "twice the segments", lambda: semi_taut(refine=2), waves
     yield "fairleads 10 m higher, at -4 m", raised, waves
@@ -131,5 +135,3 @@ def late_mean(model: Model, motion: Motion) -> float:
     """Return line 1's mean tension at the end of a run in wind, kN."""
     ds, _ = ours(model, motion, WIND, 0.5, dt_nodes=5.0)
     return float(fairlead(ds)[ds["time"].values >= WIND_STARTED].mean())
-
-

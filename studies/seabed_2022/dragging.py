@@ -59,8 +59,13 @@ class Case(NamedTuple):
     instants: tuple[float, ...]  # of the shapes, s
 
 
+def one_line(friction: Friction | None) -> Model:
+    """Return line 1 alone."""
+    return semi_taut(friction=friction, lines=(1,))
+
+
 FAILURE = Case("figure-5", 900.0, anchor_failure, pulled, 0, AXIAL, (0.0, 300.0, 600.0, 900.0))
-CIRCLE = Case("figure-6", 900.0, lambda f: semi_taut(friction=f, lines=(1,)), about_the_anchor, 1, 1.0, (0.0, 300.0, 600.0, 900.0))  # fmt: skip
+CIRCLE = Case("figure-6", 900.0, one_line, about_the_anchor, 1, 1.0, (0.0, 300.0, 600.0, 900.0))
 
 
 def wedge(arc) -> np.ndarray:
@@ -70,7 +75,9 @@ def wedge(arc) -> np.ndarray:
 
 def study(case: Case) -> dict[str, xr.Dataset]:
     """Return the runs of a case with each law."""
-    return {name: ours(case.model(law), case.motion(case.duration), case.duration, 1.0)[0] for name, law in LAWS.items()}
+    return {
+        name: ours(case.model(law), case.motion(case.duration), case.duration, 1.0)[0] for name, law in LAWS.items()
+    }
 
 
 def grounded(ds: xr.Dataset) -> np.ndarray:
@@ -79,7 +86,7 @@ def grounded(ds: xr.Dataset) -> np.ndarray:
 
 
 def differences(runs: dict[str, xr.Dataset], start: float) -> np.ndarray:
-    """Return the rms difference of the node tensions of the first two laws over the mean of the second, from a time on."""
+    """Return the rms difference of the node tensions by the first two laws, over the mean by the second."""
     one, other = (node_tension(runs[name], NODES) for name in SHOWN)
     late = node_time(runs[SHOWN[0]]) >= start
     return np.sqrt(np.mean((one - other)[late] ** 2, axis=0)) / other[late].mean(axis=0)
@@ -100,19 +107,29 @@ def part(case: Case, effort: Effort) -> Part:
             numbers[name]["fairlead"][f"{at:g}"] = float(fairlead(ds)[k])
             rows.append((name, f"{at:g}", *(f"{v:.2f}" for v in moved[k]), *(f"{v:.1f}" for v in tension[k]),
                          f"{fairlead(ds)[k]:.1f}"))  # fmt: skip
-    header = ("friction", "time, s", *(f"node {n} moved, m" for n in NODES), *(f"node {n}, kN" for n in NODES), "fairlead, kN")
+    header = (
+        "friction",
+        "time, s",
+        *(f"node {n} moved, m" for n in NODES),
+        *(f"node {n}, kN" for n in NODES),
+        "fairlead, kN",
+    )
     apart = {f"{start:g}": differences(runs, start).tolist() for start in (0.5 * case.duration, 0.75 * case.duration)}
-    apart_rows = [(f"{start} to {case.duration:g}", *(f"{100 * v:.1f} %" for v in values)) for start, values in apart.items()]
+    apart_rows = [
+        (f"{start} to {case.duration:g}", *(f"{100 * v:.1f} %" for v in values)) for start, values in apart.items()
+    ]
     words = {
         key: table(header, rows),
         f"{key}_apart": table(("seconds", *(f"node {n}" for n in NODES)), apart_rows),
     }
     peer = beside(case) if effort.peers and has_moordyn() else {}
     words[f"{key}_peer"] = (
-        f"With one coefficient of {case.coefficient:g} in both, MoorDyn-C's fairlead tension is {peer['rms']:.2f} kN rms "
-        f"({100 * peer['rms'] / peer['mean']:.2f} %) from Moorage's, in {peer['cpu_theirs']:.1f} s of CPU time "
-        f"and {peer['cpu_ours']:.3f} s." if peer else "MoorDyn-C was not run."
-    )  # fmt: skip
+        f"With one coefficient of {case.coefficient:g} in both, MoorDyn-C's fairlead tension is {peer['rms']:.2f} kN "
+        f"rms ({100 * peer['rms'] / peer['mean']:.2f} %) from Moorage's, in {peer['cpu_theirs']:.1f} s of CPU time "
+        f"and {peer['cpu_ours']:.3f} s."
+        if peer
+        else "MoorDyn-C was not run."
+    )
     numbers["apart"] = apart
     if peer:
         numbers["peer"] = peer

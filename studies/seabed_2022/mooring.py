@@ -1,8 +1,8 @@
 """The moorings of the paper, and how the platform moves.
 
-Of the paper: three lines of 500 m of 120 mm R3 studless chain and 1000 m of 186 mm polyester, 850 m of water, fairleads at
-a radius of 58 m, anchors at 1130 m, slopes of 12.5 % between 700 and 1000 m; coefficients of friction and c_v. Chosen:
-properties of chain and rope (by DNV's rules of thumb), hydrodynamic coefficients, seabed stiffness, depth of fairleads.
+Of the paper: three lines of 500 m of 120 mm R3 studless chain and 1000 m of 186 mm polyester, 850 m of water, fairleads
+at a radius of 58 m, anchors at 1130 m, slopes of 12.5 % between 700 and 1000 m; coefficients of friction and c_v.
+Chosen: properties of chain and rope (by rules of thumb), hydrodynamic coefficients, seabed stiffness, depth of the fairleads.
 """
 
 from __future__ import annotations
@@ -51,7 +51,12 @@ HEADINGS = (180.0, 60.0, 300.0)  # deg, of lines 1 to 3
 DEPTH, FAIRLEAD_RADIUS, FAIRLEAD_DEPTH, ANCHOR_RADIUS = 850.0, 58.0, 14.0, 1130.0
 CHAIN_LENGTH, CHAIN_SEGMENTS, ROPE_LENGTH, ROPE_SEGMENTS = 500.0, 25, 1000.0, 20
 GRADE = 0.125
-SLOPES = {"normal": (0.0, 0.0), "upslope": (GRADE, 0.0), "downslope": (-GRADE, 0.0), "sideslope": (0.0, GRADE)}  # as line 1 sees them
+SLOPES = {
+    "normal": (0.0, 0.0),
+    "upslope": (GRADE, 0.0),
+    "downslope": (-GRADE, 0.0),
+    "sideslope": (0.0, GRADE),
+}  # as line 1 sees them
 WEIGHT = 9.80665 * (CHAIN.mass_per_length - 1025.0 * np.pi / 4.0 * CHAIN.diameter**2)  # N/m of chain in water
 
 AXIAL, TRANSVERSE, STATIC, DAMPING = 0.69, 1.0, 1.33, 1e6  # of the paper; static over kinetic (0.92 / 0.69)
@@ -101,7 +106,9 @@ def spread(environment: Environment, types, sections, anchor_radius: float, line
 def anchor_failure(friction: Friction | None, time: float = 20.0, **other) -> Model:
     """Return line 1 alone, whose anchor lets go at a time (s)."""
     model = semi_taut(friction=friction, lines=(1,), **other)
-    return dataclasses.replace(model, failures=(Failure(id=1, attachment=Attachment("point", 1), lines=(1,), time=time),))
+    return dataclasses.replace(
+        model, failures=(Failure(id=1, attachment=Attachment("point", 1), lines=(1,), time=time),)
+    )
 
 
 def in_waves(duration: float, ramp: float = 30.0) -> Motion:

@@ -13,7 +13,11 @@ from studies.peers import at_rest
 
 WIND, AIR, ROTOR, THRUST_COEFFICIENT = 9.0, 1.225, 240.0, 0.8  # m/s, kg/m3, m, -: the paper gives the speed
 THRUST = 0.5 * AIR * np.pi / 4.0 * ROTOR**2 * WIND**2 * THRUST_COEFFICIENT  # N, 1.80 MN
-MASS, LINEAR, QUADRATIC = 3.0e7, 2.0 * THRUST / WIND, 9.0e5  # kg with added mass; N s/m of the rotor; N s2/m2 of the hull
+MASS, LINEAR, QUADRATIC = (
+    3.0e7,
+    2.0 * THRUST / WIND,
+    9.0e5,
+)  # kg with added mass; N s/m of the rotor; N s2/m2 of the hull
 
 
 def pushed(model: Model, sway: float) -> Model:

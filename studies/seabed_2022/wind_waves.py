@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import dataclasses
 
-import numpy as np
-
 from moorage.model import Friction
 from moorage.plot.style import COLOURS, new_figure
 from studies.drawing import dress, legend_above
@@ -48,10 +46,14 @@ def friction_in_wind_and_waves(effort: Effort) -> Part:
             one = {"mean": tension.mean(), "std": tension.std(), "min": tension.min(), "max": tension.max()}
             numbers[what][name] = {key: float(value) for key, value in one.items()}
             bare = numbers[what]["no friction"]
-            rows.append((what, name, *(f"{v:.2f}" for v in one.values()), f"{one['mean'] - bare['mean']:+.2f}",
-                         f"{100 * (one['mean'] / bare['mean'] - 1):+.2f} %", f"{100 * (one['std'] / bare['std'] - 1):+.2f} %" if what == "waves" else "-"))  # fmt: skip
+            swing = f"{100 * (one['std'] / bare['std'] - 1):+.2f} %" if what == "waves" else "-"
+            off = f"{one['mean'] - bare['mean']:+.2f}", f"{100 * (one['mean'] / bare['mean'] - 1):+.2f} %"
+            rows.append((what, name, *(f"{v:.2f}" for v in one.values()), *off, swing))
     words = {
-        "figure_7": table(("load", "friction", "mean, kN", "std", "lowest", "highest", "mean, from no friction", "", "std, from no friction"), rows),
+        "figure_7": table(
+            ("load", "friction", "mean, kN", "std", "lowest", "highest", "from none, kN", "the same", "std, from none"),
+            rows,
+        ),
         "sway": f"{numbers['sway']:.0f}",
         "thrust": f"{THRUST / 1e6:.2f}",
     }  # fmt: skip
@@ -59,7 +61,9 @@ def friction_in_wind_and_waves(effort: Effort) -> Part:
     for name, ds in list(runs["waves"].items())[1:]:
         tension = node_tension(ds, NODES)[node_time(ds) >= COUNTED["waves"] - 1e-6]
         numbers["figure-8"][name] = tension.mean(axis=0).tolist()
-        bed_rows.append((name, *(f"{v:.1f} ({s:.1f})" for v, s in zip(tension.mean(axis=0), tension.std(axis=0), strict=True))))
+        bed_rows.append(
+            (name, *(f"{v:.1f} ({s:.1f})" for v, s in zip(tension.mean(axis=0), tension.std(axis=0), strict=True)))
+        )
     words["figure_8"] = table(("friction", *(f"node {n}, {s:g} m" for n, s in zip(NODES, ARC, strict=True))), bed_rows)
     return Part({"figures-7-8": numbers}, words, {"figure-7": _figure_7(runs, motions), "figure-8": _figure_8(runs)})
 
@@ -72,7 +76,9 @@ def _figure_7(runs, motions):
     for ax, what in ((wind, "wind"), (waves, "waves")):
         for name, ds in runs[what].items():
             colour, width = styles[name]
-            ax.plot(ds["time"].values[::2], fairlead(ds)[::2], color=colour, lw=width, label=name, ls=_dash(name == dashed))
+            ax.plot(
+                ds["time"].values[::2], fairlead(ds)[::2], color=colour, lw=width, label=name, ls=_dash(name == dashed)
+            )
     bare = fairlead(runs["wind"]["no friction"])
     for name, ds in list(runs["wind"].items())[1:]:
         off.plot(ds["time"].values[::4], (fairlead(ds) - bare)[::4], color=styles[name][0], lw=styles[name][1],
@@ -98,7 +104,7 @@ def _figure_8(runs):
         for colour, n, values in zip(COLOURS, NODES, node_tension(ds, NODES).T, strict=True):
             ax.plot(node_time(ds), values, color=colour, lw=1.1, label=f"node {n}")
         dress(ax, "time (s)", "node tension (kN)" if ax is axes[0] else "", name.replace(", from", ",\nfrom"))
-        ax.set_xlim(0.0, DURATION["waves"])
+        ax.set_xlim(DURATION["waves"] - 5.0 * PERIOD, DURATION["waves"])
         ax.set_ylim(bottom=0.0)
     handles, labels = axes[0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside upper center", ncols=6, frameon=False, fontsize=8)
