@@ -37,7 +37,8 @@ def four_seabeds(effort: Effort) -> Part:
             numbers[name]["moordyn_rms"] = rms((segment - peer["end_tension"][:, 1] / 1e3)[late])
             off, costs = f"{numbers[name]['moordyn_rms']:.1f}", f"{float(peer['cpu']):.1f}"
         tensions = (f"{one[k]:.1f}" for k in ("static", "mean", "std", "min", "max"))
-        rows.append((name, f"{one['depth_at_anchor']:.1f}", *tensions, f"{one['grounded']:.0f}", off, f"{cpu:.3f}", costs))  # fmt: skip
+        rows.append((name, f"{one['depth_at_anchor']:.1f}", *tensions, f"{one['grounded']:.0f}", off,
+                     f"{cpu:.3f}", costs))  # fmt: skip
         drawn[name] = (rest, ds, peer)
     words = table(
         ("seabed", "depth at anchor 1, m", "static, kN", "mean", "std", "lowest", "highest", "chain on the bed, m",
