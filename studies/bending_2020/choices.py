@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from moorage.model import Model, Point
-from studies.bending_2020.umbilical import DURATION, GAMMA, PERIOD, RAOS, run, sea, statistics, umbilical
+from studies.bending_2020.umbilical import DURATION, GAMMA, RAOS, run, sea, statistics, umbilical
 from studies.parts import Effort, Part, table
 from studies.peers import with_environment, with_types
 
@@ -87,4 +87,4 @@ def open_values(effort: Effort) -> Part:
             (choice.what, *(f"{found[key]:.2f}" for key in ("mean", "std", "min", "max")), f"{found['curvature']:.3f}")
         )
     header = ("changed", "mean, kN", "std", "lowest", "highest", "largest curvature, 1/m")
-    return Part({"umbilical_open": numbers}, {"umbilical_open": table(header, rows), "period": f"{PERIOD:g}"}, {})
+    return Part({"umbilical_open": numbers}, {"umbilical_open": table(header, rows)}, {})

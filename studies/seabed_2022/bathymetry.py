@@ -36,9 +36,10 @@ def four_seabeds(effort: Effort) -> Part:
             segment = ds["fairlead_segment_tension"].sel(line=1).values / 1e3
             numbers[name]["moordyn_rms"] = rms((segment - peer["end_tension"][:, 1] / 1e3)[late])
             off, costs = f"{numbers[name]['moordyn_rms']:.1f}", f"{float(peer['cpu']):.1f}"
-        rows.append((name, f"{one['depth_at_anchor']:.1f}", *(f"{one[k]:.1f}" for k in ("static", "mean", "std", "min", "max")),
-                     f"{one['grounded']:.0f}", off, f"{cpu:.3f}", costs))  # fmt: skip
-        drawn[name] = (model, rest, ds, peer)
+        tensions = (f"{one[k]:.1f}" for k in ("static", "mean", "std", "min", "max"))
+        rows.append((name, f"{one['depth_at_anchor']:.1f}", *tensions, f"{one['grounded']:.0f}", off,
+                     f"{cpu:.3f}", costs))  # fmt: skip
+        drawn[name] = (rest, ds, peer)
     words = table(
         ("seabed", "depth at anchor 1, m", "static, kN", "mean", "std", "lowest", "highest", "chain on the bed, m",
          "rms from MoorDyn-C, kN", "CPU s, Moorage", "MoorDyn-C"), rows,
@@ -49,8 +50,8 @@ def four_seabeds(effort: Effort) -> Part:
 def _figure(drawn):
     figure = new_figure(7.2, 8.4)
     axes = figure.subplots(4, 2, width_ratios=(1.0, 2.6))
-    for (side, ax), (name, (model, rest, ds, peer)) in zip(axes, drawn.items(), strict=True):
-        x, y = np.meshgrid(np.linspace(-1200.0, 1200.0, 49), np.linspace(-1200.0, 1200.0, 49))
+    for (side, ax), (name, (rest, ds, peer)) in zip(axes, drawn.items(), strict=True):
+        x, y = np.meshgrid(*2 * [np.linspace(-1200.0, 1200.0, 49)])
         depth = 850.0 + SLOPES[name][0] * x + SLOPES[name][1] * y
         image = side.pcolormesh(x, y, depth, cmap="cividis_r", vmin=700.0, vmax=1000.0, rasterized=True)
         for line in (1, 2, 3):

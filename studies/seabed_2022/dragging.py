@@ -59,8 +59,13 @@ class Case(NamedTuple):
     instants: tuple[float, ...]  # of the shapes, s
 
 
+def one_line(friction: Friction | None) -> Model:
+    """Return line 1 alone."""
+    return semi_taut(friction=friction, lines=(1,))
+
+
 FAILURE = Case("figure-5", 900.0, anchor_failure, pulled, 0, AXIAL, (0.0, 300.0, 600.0, 900.0))
-CIRCLE = Case("figure-6", 900.0, lambda f: semi_taut(friction=f, lines=(1,)), about_the_anchor, 1, 1.0, (0.0, 300.0, 600.0, 900.0))  # fmt: skip
+CIRCLE = Case("figure-6", 900.0, one_line, about_the_anchor, 1, 1.0, (0.0, 300.0, 600.0, 900.0))
 
 
 def wedge(arc) -> np.ndarray:
@@ -81,7 +86,7 @@ def grounded(ds: xr.Dataset) -> np.ndarray:
 
 
 def differences(runs: dict[str, xr.Dataset], start: float) -> np.ndarray:
-    """Return the rms difference of the node tensions of the first two laws over the mean of the second, from a time on."""
+    """Return the rms difference of the node tensions by the first two laws, over the mean by the second."""
     one, other = (node_tension(runs[name], NODES) for name in SHOWN)
     late = node_time(runs[SHOWN[0]]) >= start
     return np.sqrt(np.mean((one - other)[late] ** 2, axis=0)) / other[late].mean(axis=0)
@@ -119,10 +124,12 @@ def part(case: Case, effort: Effort) -> Part:
     }
     peer = beside(case) if effort.peers and has_moordyn() else {}
     words[f"{key}_peer"] = (
-        f"With one coefficient of {case.coefficient:g} in both, MoorDyn-C's fairlead tension is {peer['rms']:.2f} kN rms "
-        f"({100 * peer['rms'] / peer['mean']:.2f} %) from Moorage's, in {peer['cpu_theirs']:.1f} s of CPU time "
-        f"and {peer['cpu_ours']:.3f} s." if peer else "MoorDyn-C was not run."
-    )  # fmt: skip
+        f"With one coefficient of {case.coefficient:g} in both, MoorDyn-C's fairlead tension is {peer['rms']:.2f} kN "
+        f"rms ({100 * peer['rms'] / peer['mean']:.2f} %) from Moorage's, in {peer['cpu_theirs']:.1f} s of CPU time "
+        f"and {peer['cpu_ours']:.3f} s."
+        if peer
+        else "MoorDyn-C was not run."
+    )
     numbers["apart"] = apart
     if peer:
         numbers["peer"] = peer

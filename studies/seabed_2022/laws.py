@@ -138,8 +138,9 @@ def side_by_side(effort: Effort) -> Part:
             one = numbers[site.name][name] = {key: float(value) for key, value in found.items()}
             bare = bare or one
             rows.append((site.name, name, f"{one['mean']:.1f}", f"{100 * (one['std'] / bare['std'] - 1):+.2f} %",
-                         f"{100 * (one['max'] / bare['max'] - 1):+.2f} %", f"{one['anchor_mean']:.1f}", f"{one['anchor_max']:.1f}",
-                         f"{one['energy']:.0f}", f"{one['creep']:.3f}", f"{cpu:.3f}"))  # fmt: skip
+                         f"{100 * (one['max'] / bare['max'] - 1):+.2f} %", f"{one['anchor_mean']:.1f}",
+                         f"{one['anchor_max']:.1f}", f"{one['energy']:.0f}", f"{one['creep']:.3f}",
+                         f"{cpu:.3f}"))  # fmt: skip
             runs[site.name, name] = ds
     static = float(at_rest(shallow())["fairlead_tension"].values[0] / 1e3)
     numbers["shallow"]["static"] = static

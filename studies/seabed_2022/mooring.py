@@ -1,8 +1,8 @@
 """The moorings of the paper, and how the platform moves.
 
-Of the paper: three lines of 500 m of 120 mm R3 studless chain and 1000 m of 186 mm polyester, 850 m of water, fairleads at
-a radius of 58 m, anchors at 1130 m, slopes of 12.5 % between 700 and 1000 m; coefficients of friction and c_v. Chosen:
-properties of chain and rope (by DNV's rules of thumb), hydrodynamic coefficients, seabed stiffness, depth of fairleads.
+Of the paper: three lines of 500 m of 120 mm R3 studless chain and 1000 m of 186 mm polyester, 850 m of water, fairleads
+at a radius of 58 m, anchors at 1130 m, slopes of 12.5 % between 700 and 1000 m; coefficients of friction and c_v.
+Chosen: properties of chain and rope (by rules of thumb), hydrodynamic coefficients, seabed stiffness, fairleads' depth.
 """
 
 from __future__ import annotations

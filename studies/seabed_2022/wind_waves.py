@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import dataclasses
 
-import numpy as np
-
 from moorage.model import Friction
 from moorage.plot.style import COLOURS, new_figure
 from studies.drawing import dress, legend_above
@@ -21,23 +19,27 @@ LAWS: dict[str, Friction | None] = {
     "sticking, from rest without friction": dataclasses.replace(STICKING, laid=False),
 }
 DURATION = {"wind": 1800.0, "waves": 224.0}  # s
+DT_NODES = {"wind": 2.0, "waves": 0.25}  # s
 COUNTED = {"wind": 1500.0, "waves": 224.0 - 10.0 * PERIOD}  # from these on: at rest again, and ten periods
 NODES = (3, 6, 9, 12, 15, 18)  # of the chain, from the anchor
 ARC = [n * CHAIN_LENGTH / CHAIN_SEGMENTS for n in NODES]
 
 
-def study(effort: Effort):
+def study():
     """Return the runs by what moves the platform and by law."""
     motions = {"wind": in_wind(semi_taut(), DURATION["wind"]), "waves": in_waves(DURATION["waves"])}
-    return motions, {
-        what: {name: ours(semi_taut(friction=law), motion, DURATION[what], 0.25)[0] for name, law in LAWS.items()}
-        for what, motion in motions.items()
-    }
+    runs = {}
+    for what, motion in motions.items():
+        given = motion, DURATION[what], 0.25
+        runs[what] = {
+            name: ours(semi_taut(friction=law), *given, dt_nodes=DT_NODES[what])[0] for name, law in LAWS.items()
+        }
+    return motions, runs
 
 
 def friction_in_wind_and_waves(effort: Effort) -> Part:
     """Return figures 7 and 8 and their tables."""
-    motions, runs = study(effort)
+    motions, runs = study()
     numbers: dict = {"sway": float(motions["wind"].platform[-1, 1]), "thrust": float(THRUST)}
     rows = []
     for what, found in runs.items():
@@ -48,10 +50,14 @@ def friction_in_wind_and_waves(effort: Effort) -> Part:
             one = {"mean": tension.mean(), "std": tension.std(), "min": tension.min(), "max": tension.max()}
             numbers[what][name] = {key: float(value) for key, value in one.items()}
             bare = numbers[what]["no friction"]
-            rows.append((what, name, *(f"{v:.2f}" for v in one.values()), f"{one['mean'] - bare['mean']:+.2f}",
-                         f"{100 * (one['mean'] / bare['mean'] - 1):+.2f} %", f"{100 * (one['std'] / bare['std'] - 1):+.2f} %" if what == "waves" else "-"))  # fmt: skip
+            swing = f"{100 * (one['std'] / bare['std'] - 1):+.2f} %" if what == "waves" else "-"
+            off = f"{one['mean'] - bare['mean']:+.2f}", f"{100 * (one['mean'] / bare['mean'] - 1):+.2f} %"
+            rows.append((what, name, *(f"{v:.2f}" for v in one.values()), *off, swing))
     words = {
-        "figure_7": table(("load", "friction", "mean, kN", "std", "lowest", "highest", "mean, from no friction", "", "std, from no friction"), rows),
+        "figure_7": table(
+            ("load", "friction", "mean, kN", "std", "lowest", "highest", "from none, kN", "the same", "std from none"),
+            rows,
+        ),
         "sway": f"{numbers['sway']:.0f}",
         "thrust": f"{THRUST / 1e6:.2f}",
     }  # fmt: skip
@@ -102,7 +108,7 @@ def _figure_8(runs):
         for colour, n, values in zip(COLOURS, NODES, node_tension(ds, NODES).T, strict=True):
             ax.plot(node_time(ds), values, color=colour, lw=1.1, label=f"node {n}")
         dress(ax, "time (s)", "node tension (kN)" if ax is axes[0] else "", name.replace(", from", ",\nfrom"))
-        ax.set_xlim(0.0, DURATION["waves"])
+        ax.set_xlim(DURATION["waves"] - 5.0 * PERIOD, DURATION["waves"])
         ax.set_ylim(bottom=0.0)
     handles, labels = axes[0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside upper center", ncols=6, frameon=False, fontsize=8)
