@@ -493,3 +493,37 @@ def test_files_can_be_put_together_in_a_script():
     body = made.Body(made.BodyPoint(coupled=True), [0, 0, 0], [0, 0, np.pi], 1.0, 0.0, [1, 2, 3], 0.0, 1.0)
     assert str(body.words()[1]) == "Coupled"
     assert body.words()[7] == pytest.approx(180.0)
+    assert body.words()[8:] == (1.0, "0.0", "1|2|3", 1.0, "0.0", "0.0")
+    body.name = 2
+    tube = made.RodMaterial("tube", 0.5, 100.0, 1.0, 1.0, 0.5, 0.5)
+    rod = made.Rod(tube, made.RodPoint(pinned=True, body=body), [0, 0, 0], [0, 0, 2], 4)
+    assert " ".join(map(str, rod.words())) == "0 tube Body2Pinned 0 0 0 0 0 2 4 -"
+    kinds = {"Pinned": {"pinned": True}, "CoupledPinned": {"pinned": True, "coupled": True}, "Free": {"fixed": False}}
+    assert {name: str(made.RodPoint(**how)) for name, how in kinds.items()} == {name: name for name in kinds}
+
+
+def test_everything_that_can_be_put_together_can_be_read():
+    """Bodies, rods, failures and options in one file."""
+    made = moordyn.Generator
+    mooring = made.Mooring()
+    chain = made.LineMaterial("chain", 0.0766, 113.35, 7.536e8, -0.8, 0, 2.0, 0.8, 0.4, 0.25)
+    tube = made.RodMaterial("tube", 0.5, 0.0, 0.0, 0.0, 0.0, 0.0)
+    body = made.Body(made.BodyPoint(coupled=True), [0, 0, 0], [0, 0, 0.5], 0.0, 0.0, 0.0, 0.0, 0.0)
+    rod = made.Rod(tube, made.RodPoint(body=body), [-40, 0, -14], [-41, 0, -14], 1)
+    anchor = made.Point("Fixed", [-737.0, -400.0, -200.0], 0, 0, 0, 0)
+    line = made.Line(chain, made.LinePoint(anchor), made.LinePoint(rod, "B"), 835.35, 20)
+    mooring.AddLineMaterial(chain)
+    mooring.AddRodMaterial(tube)
+    mooring.AddBody(body)
+    mooring.AddRod(rod)
+    mooring.AddPoint(anchor)
+    mooring.AddLine(line)
+    mooring.AddFailure(made.Failure(made.LinePoint(anchor), [line], 100.0, 0.0))
+    mooring.AddOption(made.Option("WtrDpth", 200))
+    system = mooring.Create()
+    assert [moordyn.GetNumberBodies(system), moordyn.GetNumberRods(system), moordyn.NCoupledDOF(system)] == [1, 1, 6]
+    pose = moordyn.GetBodyState(moordyn.GetBody(system, 1))[0]
+    np.testing.assert_allclose(pose, [0, 0, 0, 0, 0, 0.5])
+    end = moordyn.GetRodNodePos(moordyn.GetRod(system, 1), 1)
+    np.testing.assert_allclose(end, [-41.0 * np.cos(0.5), -41.0 * np.sin(0.5), -14.0])
+    assert [failure.time for failure in system.failures] == [100.0]
