@@ -429,6 +429,25 @@ def test_a_coupled_body_carries_its_points(deck):
     assert moordyn.GetBodyVel(body) == pytest.approx((0.1, 0.0, 0.2))
 
 
+def test_a_body_without_lines_turns_its_points(tmp_path):
+    """One turn about all axes at once, in three steps, ends where the angles say."""
+    path = tmp_path / "turn.txt"
+    path.write_text(
+        "--- BODIES ---\nID Attachment X0 Y0 Z0 r0 p0 y0 Mass CG I Volume CdA Ca\n(#) (-) m m m d d d kg m - m3 m2 -\n"
+        "1 coupled 0 0 0 0 0 0 0 0 0 0 0 0\n--- POINTS ---\nID Type X Y Z M V CdA Ca\n(-) (-) m m m kg m3 m2 -\n"
+        "1 Body1 1 0 0 0 0 0 0\n2 Body1 0 1 0 0 0 0 0\n--- OPTIONS ---\n100 WtrDpth\n0 TmaxIC\n--- end ---\n"
+    )
+    system = moordyn.Create(str(path))
+    body = moordyn.GetBody(system, 1)
+    assert moordyn.Init(system, [0.0] * 6, [0.0] * 6) == 0
+    for k in range(3):
+        force = moordyn.Step(system, moordyn.GetBodyState(body)[0], [0.0, 0.0, 0.0, 0.1, 0.2, 0.3], float(k), 1.0)
+    R = rotation_matrices(np.array([[0.3, 0.6, 0.9]]))[0]
+    for k in (1, 2):
+        np.testing.assert_allclose(moordyn.GetPointPos(moordyn.GetPoint(system, k)), R[:, k - 1], atol=1e-12)
+    assert force == (0.0,) * 6
+
+
 def test_angular_velocity_is_the_rate_of_the_rotation():
     """R(t + h) R(t - h)^T = 1 + 2 h [w] + O(h^3): h = 1e-4 gives 1e-8 of it."""
     angles, rates, h = np.array([[0.3, -0.7, 1.1]]), np.array([[0.2, 0.5, -0.4]]), 1e-4

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import warnings
 from pathlib import Path
 
@@ -52,7 +53,7 @@ class System:
             model = read(path)
             check(model)
             self.model, self.failures = without_host_parts(model), list(model.failures)
-            accept(self.model)
+            accept(dataclasses.replace(self.model, unused_options=()))  # options of MoorDyn are no surprise here
         for warning in caught:
             self.log.say(LEVEL_WRN, str(warning.message))
         self.step_max: float | None = None
