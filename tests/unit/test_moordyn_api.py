@@ -2,6 +2,7 @@
 
 import dataclasses
 import time
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -546,3 +547,39 @@ def test_everything_that_can_be_put_together_can_be_read():
     end = moordyn.GetRodNodePos(moordyn.GetRod(system, 1), 1)
     np.testing.assert_allclose(end, [-41.0 * np.cos(0.5), -41.0 * np.sin(0.5), -14.0])
     assert [failure.time for failure in system.failures] == [100.0]
+
+
+def test_the_seafloor_is_a_grid_of_levels(deck, monkeypatch):
+    """MoorDyn-C's layout: counts, x, y, then x y z; looked for beside the input and where the program is started."""
+    path = deck(("0.001    dtM       time step", "Mooring/bed.txt SeafloorFile"))
+    folder = path.parent / "Mooring"
+    folder.mkdir()
+    rows = [f"{x} {y} {-200.0 - 0.01 * (x + 1000.0)}" for x in (-1000.0, 1000.0) for y in (-500.0, 500.0)]
+    (folder / "bed.txt").write_text("2 2\n-1000 1000\n-500 500\n" + "\n".join(rows) + "\n")
+    moved = folder / "lines.txt"
+    moved.write_text(path.read_text())
+    monkeypatch.chdir(path.parent)
+    for file in (path, moved):
+        bed = moordyn.GetSeafloor(moordyn.Create(str(file)))
+        assert moordyn.GetDepthAt(bed, 0.0, 100.0) == pytest.approx(-210.0)
+        assert moordyn.GetAverageDepth(bed) == pytest.approx(-210.0)
+        assert moordyn.GetMinDepth(bed) == pytest.approx(-200.0)
+
+
+def test_waves_are_those_of_the_model():
+    path = Path(__file__).parents[2] / "examples" / "waves" / "cable_in_waves.yaml"
+    system = moordyn.Create(str(path))
+    waves, place = system.model.environment.waves, np.array([10.0, -5.0, -12.0])
+    size = moordyn.NCoupledDOF(system)
+    assert moordyn.Init(system, system.pose, np.zeros(size)) == 0
+    for k in range(12):
+        moordyn.Step(system, system.pose, np.zeros(size), 0.5 * k, 0.5)
+    u, a, eta, pressure = moordyn.GetWavesKin(moordyn.GetWaves(system), *place)
+    expected = waves.kinematics(6.0, place)
+    assert abs(float(expected.elevation)) > 0.01
+    current = np.subtract(u, expected.velocity)
+    np.testing.assert_allclose(current, [-0.5 * (48.0 / 60.0) ** (1.0 / 7.0), 0.0, 0.0], atol=0.01)
+    np.testing.assert_allclose(a, expected.acceleration, atol=1e-9)
+    assert (eta, pressure) == (pytest.approx(float(expected.elevation)), pytest.approx(float(expected.pressure)))
+    with pytest.raises(RuntimeError, match="waves or a current of its own"):
+        moordyn.ExternalWaveKinSet(system, [], [], 0.0)
