@@ -2,6 +2,7 @@
 
 import dataclasses
 import time
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -429,6 +430,25 @@ def test_a_coupled_body_carries_its_points(deck):
     assert moordyn.GetBodyVel(body) == pytest.approx((0.1, 0.0, 0.2))
 
 
+def test_a_body_without_lines_turns_its_points(tmp_path):
+    """One turn about all axes at once, in three steps, ends where the angles say."""
+    path = tmp_path / "turn.txt"
+    path.write_text(
+        "--- BODIES ---\nID Attachment X0 Y0 Z0 r0 p0 y0 Mass CG I Volume CdA Ca\n(#) (-) m m m d d d kg m - m3 m2 -\n"
+        "1 coupled 0 0 0 0 0 0 0 0 0 0 0 0\n--- POINTS ---\nID Type X Y Z M V CdA Ca\n(-) (-) m m m kg m3 m2 -\n"
+        "1 Body1 1 0 0 0 0 0 0\n2 Body1 0 1 0 0 0 0 0\n--- OPTIONS ---\n100 WtrDpth\n0 TmaxIC\n--- end ---\n"
+    )
+    system = moordyn.Create(str(path))
+    body = moordyn.GetBody(system, 1)
+    assert moordyn.Init(system, [0.0] * 6, [0.0] * 6) == 0
+    for k in range(3):
+        force = moordyn.Step(system, moordyn.GetBodyState(body)[0], [0.0, 0.0, 0.0, 0.1, 0.2, 0.3], float(k), 1.0)
+    R = rotation_matrices(np.array([[0.3, 0.6, 0.9]]))[0]
+    for k in (1, 2):
+        np.testing.assert_allclose(moordyn.GetPointPos(moordyn.GetPoint(system, k)), R[:, k - 1], atol=1e-12)
+    assert force == (0.0,) * 6
+
+
 def test_angular_velocity_is_the_rate_of_the_rotation():
     """R(t + h) R(t - h)^T = 1 + 2 h [w] + O(h^3): h = 1e-4 gives 1e-8 of it."""
     angles, rates, h = np.array([[0.3, -0.7, 1.1]]), np.array([[0.2, 0.5, -0.4]]), 1e-4
@@ -493,3 +513,73 @@ def test_files_can_be_put_together_in_a_script():
     body = made.Body(made.BodyPoint(coupled=True), [0, 0, 0], [0, 0, np.pi], 1.0, 0.0, [1, 2, 3], 0.0, 1.0)
     assert str(body.words()[1]) == "Coupled"
     assert body.words()[7] == pytest.approx(180.0)
+    assert body.words()[8:] == (1.0, "0.0", "1|2|3", 1.0, "0.0", "0.0")
+    body.name = 2
+    tube = made.RodMaterial("tube", 0.5, 100.0, 1.0, 1.0, 0.5, 0.5)
+    rod = made.Rod(tube, made.RodPoint(pinned=True, body=body), [0, 0, 0], [0, 0, 2], 4)
+    assert " ".join(map(str, rod.words())) == "0 tube Body2Pinned 0 0 0 0 0 2 4 -"
+    kinds = {"Pinned": {"pinned": True}, "CoupledPinned": {"pinned": True, "coupled": True}, "Free": {"fixed": False}}
+    assert {name: str(made.RodPoint(**how)) for name, how in kinds.items()} == {name: name for name in kinds}
+
+
+def test_everything_that_can_be_put_together_can_be_read():
+    """Bodies, rods, failures and options in one file."""
+    made = moordyn.Generator
+    mooring = made.Mooring()
+    chain = made.LineMaterial("chain", 0.0766, 113.35, 7.536e8, -0.8, 0, 2.0, 0.8, 0.4, 0.25)
+    tube = made.RodMaterial("tube", 0.5, 0.0, 0.0, 0.0, 0.0, 0.0)
+    body = made.Body(made.BodyPoint(coupled=True), [0, 0, 0], [0, 0, 0.5], 0.0, 0.0, 0.0, 0.0, 0.0)
+    rod = made.Rod(tube, made.RodPoint(body=body), [-40, 0, -14], [-41, 0, -14], 1)
+    anchor = made.Point("Fixed", [-737.0, -400.0, -200.0], 0, 0, 0, 0)
+    line = made.Line(chain, made.LinePoint(anchor), made.LinePoint(rod, "B"), 835.35, 20)
+    mooring.AddLineMaterial(chain)
+    mooring.AddRodMaterial(tube)
+    mooring.AddBody(body)
+    mooring.AddRod(rod)
+    mooring.AddPoint(anchor)
+    mooring.AddLine(line)
+    mooring.AddFailure(made.Failure(made.LinePoint(anchor), [line], 100.0, 0.0))
+    mooring.AddOption(made.Option("WtrDpth", 200))
+    system = mooring.Create()
+    assert [moordyn.GetNumberBodies(system), moordyn.GetNumberRods(system), moordyn.NCoupledDOF(system)] == [1, 1, 6]
+    pose = moordyn.GetBodyState(moordyn.GetBody(system, 1))[0]
+    np.testing.assert_allclose(pose, [0, 0, 0, 0, 0, 0.5])
+    end = moordyn.GetRodNodePos(moordyn.GetRod(system, 1), 1)
+    np.testing.assert_allclose(end, [-41.0 * np.cos(0.5), -41.0 * np.sin(0.5), -14.0])
+    assert [failure.time for failure in system.failures] == [100.0]
+
+
+def test_the_seafloor_is_a_grid_of_levels(deck, monkeypatch):
+    """MoorDyn-C's layout: counts, x, y, then x y z; looked for beside the input and where the program is started."""
+    path = deck(("0.001    dtM       time step", "Mooring/bed.txt SeafloorFile"))
+    folder = path.parent / "Mooring"
+    folder.mkdir()
+    rows = [f"{x} {y} {-200.0 - 0.01 * (x + 1000.0)}" for x in (-1000.0, 1000.0) for y in (-500.0, 500.0)]
+    (folder / "bed.txt").write_text("2 2\n-1000 1000\n-500 500\n" + "\n".join(rows) + "\n")
+    moved = folder / "lines.txt"
+    moved.write_text(path.read_text())
+    monkeypatch.chdir(path.parent)
+    for file in (path, moved):
+        bed = moordyn.GetSeafloor(moordyn.Create(str(file)))
+        assert moordyn.GetDepthAt(bed, 0.0, 100.0) == pytest.approx(-210.0)
+        assert moordyn.GetAverageDepth(bed) == pytest.approx(-210.0)
+        assert moordyn.GetMinDepth(bed) == pytest.approx(-200.0)
+
+
+def test_waves_are_those_of_the_model():
+    path = Path(__file__).parents[2] / "examples" / "waves" / "cable_in_waves.yaml"
+    system = moordyn.Create(str(path))
+    waves, place = system.model.environment.waves, np.array([10.0, -5.0, -12.0])
+    size = moordyn.NCoupledDOF(system)
+    assert moordyn.Init(system, system.pose, np.zeros(size)) == 0
+    for k in range(12):
+        moordyn.Step(system, system.pose, np.zeros(size), 0.5 * k, 0.5)
+    u, a, eta, pressure = moordyn.GetWavesKin(moordyn.GetWaves(system), *place)
+    expected = waves.kinematics(6.0, place)
+    assert abs(float(expected.elevation)) > 0.01
+    current = np.subtract(u, expected.velocity)
+    np.testing.assert_allclose(current, [-0.5 * (48.0 / 60.0) ** (1.0 / 7.0), 0.0, 0.0], atol=0.01)
+    np.testing.assert_allclose(a, expected.acceleration, atol=1e-9)
+    assert (eta, pressure) == (pytest.approx(float(expected.elevation)), pytest.approx(float(expected.pressure)))
+    with pytest.raises(RuntimeError, match="waves or a current of its own"):
+        moordyn.ExternalWaveKinSet(system, [], [], 0.0)

@@ -1,6 +1,8 @@
 """MoorDyn's .out files: names, order, units and widths of both programs, and the numbers of the NetCDF result."""
 
 import dataclasses
+import subprocess
+import sys
 import warnings
 
 import numpy as np
@@ -178,3 +180,37 @@ def test_a_folder_that_cannot_be_written(deck, tmp_path):
     (tmp_path / "run.out").mkdir()
     with pytest.raises(moorage.ResultError, match="cannot write"):
         run(deck(NO_STEP), tmp_path)
+
+
+KILLED = """
+import sys, warnings
+import moorage
+from moorage import streaming
+
+warnings.simplefilter("ignore")
+streaming.BLOCK_SECONDS = 0.01
+moorage.simulate(
+    moorage.read(sys.argv[1]), duration=200.0, dt_out=0.1, time_step=0.005, output="run.nc", moordyn_out="run",
+    progress=lambda time, *rest: print(time, flush=True),
+)
+"""
+
+
+def test_a_killed_run_has_every_reported_row(deck, tmp_path):
+    """The rows up to the last report are whole, and so is what the NetCDF file knows."""
+    command = [sys.executable, "-c", KILLED, str(deck(NO_STEP))]
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True, cwd=tmp_path)
+    for _ in range(5):
+        process.stdout.readline()
+    process.kill()
+    reported = [float(line) for line in process.stdout.read().splitlines() if line]
+    process.wait()
+    with moorage.open_result(tmp_path / "run.nc") as ds:
+        last = max([float(ds["time"][-1]), *reported])
+    assert last < 200.0
+    for name in ("run.out", "run_Line1.out"):
+        lines = (tmp_path / name).read_text().splitlines()
+        whole = [line for line in lines[2:] if len(line) == len(lines[0])]
+        assert float(whole[-1].split()[0]) >= last - 1e-4
+        times = [float(line.split()[0]) for line in whole]
+        np.testing.assert_allclose(times, 0.1 * np.arange(len(times)), atol=1e-4)

@@ -81,26 +81,28 @@ class BodyPoint:
         return "Coupled" if self.coupled else "Fixed" if self.fixed else "Free"
 
 
-@dataclass
 class Body:
-    """A body at p (m), turned by r (rad), of mass m (kg) and volume v (m3)."""
+    """A body at p (m), turned by r (rad), of mass m (kg) and volume v (m3); cda and ca: one value, or several."""
 
-    t: BodyPoint | str
-    p: Sequence[float]
-    r: Sequence[float]
-    m: float
-    cog: float | Sequence[float]
-    inertia: float | Sequence[float]
-    cda: float | Sequence[float]
-    v: float
-    ca: float | Sequence[float] = 0.0
-    name: int = 0
+    def __init__(
+        self,
+        t: BodyPoint | str,
+        p: Sequence[float],
+        r: Sequence[float],
+        m: float,
+        cog: float | Sequence[float],
+        inertia: float | Sequence[float],
+        cda: float | Sequence[float],
+        v: float,
+        ca: float | Sequence[float] = 0.0,
+    ):
+        self.name, self.type, self.p, self.r = 0, t, p, r
+        self.mass, self.cog, self.I, self.vol, self.cda, self.ca = m, cog, inertia, v, cda, ca
 
     def words(self) -> tuple:
         """Return its columns."""
-        angles = np.degrees(self.r)
         return (
-            self.name, self.t, *self.p, *angles, self.m, joined(self.cog), joined(self.inertia), self.v,
+            self.name, self.type, *self.p, *np.degrees(self.r), self.mass, joined(self.cog), joined(self.I), self.vol,
             joined(self.cda), joined(self.ca),
         )  # fmt: skip
 
@@ -124,31 +126,25 @@ class RodPoint:
 
 @dataclass
 class Rod:
-    """A rod of a type from a to b (m), of n segments."""
+    """A rod of a type from p0 to p1 (m), of n segments."""
 
     material: RodMaterial
-    t: RodPoint | str
-    a: Sequence[float]
-    b: Sequence[float]
+    point: RodPoint | str
+    p0: Sequence[float]
+    p1: Sequence[float]
     n: int
     name: int = 0
 
     def words(self) -> tuple:
         """Return its columns."""
-        return self.name, self.material.name, self.t, *self.a, *self.b, self.n, "-"
+        return self.name, self.material.name, self.point, *self.p0, *self.p1, self.n, "-"
 
 
-@dataclass
 class Point:
-    """A point: kind, p (m), mass (kg), volume (m3), CdA (m2), Ca."""
+    """A point: kind t, place p (m), mass m (kg), volume v (m3), CdA (m2), Ca."""
 
-    type: str
-    p: Sequence[float]
-    mass: float
-    vol: float
-    cda: float
-    ca: float
-    name: int = 0
+    def __init__(self, t: str, p: Sequence[float], m: float, v: float, cda: float, ca: float):
+        self.name, self.type, self.p, self.mass, self.vol, self.cda, self.ca = 0, t, p, m, v, cda, ca
 
     def words(self) -> tuple:
         """Return its columns."""

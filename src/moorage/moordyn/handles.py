@@ -8,7 +8,7 @@ from typing import NamedTuple, TypeVar
 
 import numpy as np
 
-from moorage.errors import InputError, MoorageError
+from moorage.errors import MoorageError
 from moorage.moordyn.system import System
 
 Vector = tuple[float, float, float]
@@ -102,8 +102,3 @@ def node_index(i: int, count: int, what: str) -> int:
 def to_tuple(values: np.ndarray) -> tuple:
     """Return an array as nested tuples of floats."""
     return tuple(float(v) if np.ndim(v) == 0 else to_tuple(v) for v in values)
-
-
-def problems_of(error: Exception) -> str:
-    """Return the text of an error."""
-    return str(error) if isinstance(error, InputError | MoorageError) else f"{type(error).__name__}: {error}"

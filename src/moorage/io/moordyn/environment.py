@@ -70,7 +70,11 @@ def _bathymetry(values: Values, folder: Path, found: Findings) -> Bathymetry | N
         if named.word.lower() in ("nan", "inf", "-inf", "+inf"):
             found.number(named.word, "water depth", named.source)
             return None
-    return read_bathymetry(folder / named.word, found, named.source) if named else None
+    if named is None:
+        return None
+    path, from_here = folder / named.word, Path(named.word)
+    # MoorDyn-C looks for this file alone in the folder that it is started from
+    return read_bathymetry(from_here if not path.exists() and from_here.exists() else path, found, named.source)
 
 
 def _depth(
