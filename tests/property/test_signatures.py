@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from moorings import CHAIN, coupled, curve, fixed, free, kind, line, mooring, run, single, spread
+from floats import AIR, body, floating, rod
+from moorings import CHAIN, coupled, curve, fixed, free, held, kind, line, mooring, run, single, spread
 
-from moorage.model import Bathymetry, Current, Friction, FrictionMap, Model, Motion, StiffnessMap
+from moorage.model import Bathymetry, Current, Friction, FrictionMap, Model, Motion, Point, StiffnessMap
 from moorage.solve.host import HostMarch
 from moorage.solve.march_kernel import march_islands, start_islands
 from moorage.solve.statics import solve
@@ -31,6 +32,12 @@ def models() -> dict[str, tuple[Model, Motion | None]]:
     }
     soil = Friction(model="soil-curves", axial_curve=table, transverse_curve=table)
     bridle = (line(1, 1, 3, ("rope", 15.0, 3)), line(2, 3, 2, ("rope", 22.0, 4)))
+    hull = body(position=(10.0, 0.0, -10.0), volume=0.3)
+    eye = Point(id=4, kind="fixed", position=(0.5, 0.0, 0.0), body=1)
+    stick, pole = (
+        rod(1, "free", (10.0, 0.0, -10.0), (12.0, 0.0, -9.0)),
+        rod(1, "coupled-pinned", (0, 0, -9), (2, 0, -9)),
+    )
     return {
         "three chains, moved": (spread(10), Motion.from_harmonics(5.0, ramp=2.0, surge=(1.0, 8.0))),
         "one segment": (single(CHAIN, 34.0, 1, a, b), None),
@@ -43,6 +50,13 @@ def models() -> dict[str, tuple[Model, Motion | None]]:
         "two segments, bent, held by a free point": (mooring(bent, (a, buoy), (line(1, 3, 1, ("rope", 12.0, 2)),)), None),
         "maps": (single(CHAIN, 34.0, 5, a, b, water_depth=20.0, **mapped), moved),
         "soil curves": (single(CHAIN, 34.0, 5, a, b, water_depth=20.0, friction=soil), moved),
+        "a body alone, in air": (floating((body(kind="pinned"),), environment=AIR), None),
+        "a rod alone": (floating(rods=(pole,)), moved),
+        "a free body": (floating((hull,), line_types=kind(), points=(a, eye), lines=(line(1, 1, 4, ("rope", 20.0, 3)),)), None),
+        "a free rod, bent lines": (floating(rods=(stick,), line_types=bent, points=(a,),
+                                            lines=(line(1, 1, held(stick, "A"), ("rope", 20.0, 3)),)), None),
+        "a coupled-pinned rod": (floating(rods=(pole,), line_types=kind(), points=(fixed(1, 0.0, 0.0, -20.0),),
+                                          lines=(line(1, 1, held(pole, "B"), ("rope", 20.0, 3)),)), moved),
         "no water, no weight": (single(kind(), 30.0, 3, a, b, water_density=0.0, gravity=0.0), moved),
     }  # fmt: skip
 
