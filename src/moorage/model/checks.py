@@ -23,6 +23,7 @@ from moorage.model.cables import (
 from moorage.model.channels import parse_channel
 from moorage.model.components import Attachment, Curve, Line, LineType
 from moorage.model.environment import Bathymetry, FrictionMap, StiffnessMap
+from moorage.model.inertia import objects_have_inertia
 from moorage.model.model import Model
 from moorage.model.seabed import below_seabed
 
@@ -372,6 +373,7 @@ CHECKS: tuple[Check, ...] = (
     springs_are_possible,
     sections_are_graded_well,
     free_points_are_held,
+    objects_have_inertia,
     events_name_what_exists,
     channels_exist,
     anchors_are_not_buried,
@@ -384,6 +386,7 @@ REFERRING: tuple[Check, ...] = (
     clamps_face_their_lines,
     joints_are_joints,
     free_points_are_held,
+    objects_have_inertia,
     events_name_what_exists,
     channels_exist,
 )
