@@ -8,7 +8,6 @@ from moorage.errors import Source, UnsupportedError
 from moorage.io import read
 from moorage.model import (
     Attachment,
-    Body,
     Control,
     ExternalLoad,
     Failure,
@@ -42,12 +41,6 @@ def _around(**changes):
 
 PLACE = ((0.0, 0.0, -1.0), (0.0, 0.0, -2.0))
 CASES = {
-    "free rods are": _with(
-        rods=(Rod(id=1, rod_type="r", kind="free", end_a=PLACE[0], end_b=PLACE[1], segments=1, source=AT),)
-    ),
-    "pinned rods are": _with(
-        rods=(Rod(id=1, rod_type="r", kind="pinned", end_a=PLACE[0], end_b=PLACE[1], segments=1, source=AT),)
-    ),
     "joints of more than two cables are": lambda m: dataclasses.replace(
         m,
         line_types=(dataclasses.replace(m.line_types[0], bending_stiffness=1e4),),
@@ -56,7 +49,6 @@ CASES = {
             dataclasses.replace(m.lines[0], id=k, end_b=Attachment("rod", 1, "A" if k == 1 else "B")) for k in (1, 2, 3)
         ),
     ),
-    "free bodies are": _with(bodies=(Body(id=1, kind="free", position=PLACE[0], source=AT),)),
     "attachments to turbines are": lambda m: dataclasses.replace(
         m, points=(*m.points, Point(id=3, kind="coupled", position=PLACE[0], turbine=1, source=AT))
     ),

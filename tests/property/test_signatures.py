@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from moorings import CHAIN, coupled, curve, fixed, free, kind, line, mooring, run, single, spread
+from floats import AIR, body, floating, rod
+from moorings import CHAIN, coupled, curve, fixed, free, held, kind, line, mooring, run, single, spread
 
 from moorage.model import (
     Bathymetry,
@@ -14,9 +15,10 @@ from moorage.model import (
     FrictionMap,
     Model,
     Motion,
+    Point,
     Soil,
     StiffnessMap,
-)  # fmt: skip
+)
 from moorage.solve.host import HostMarch
 from moorage.solve.march_kernel import march_islands, start_islands
 from moorage.solve.statics import solve
@@ -32,6 +34,7 @@ def models() -> dict[str, tuple[Model, Motion | None]]:
     buoy = free(3, 10.0, 0.0, -10.0, mass=10.0, volume=0.3)
     moved = Motion.from_harmonics(5.0, ramp=2.0, heave=(0.1, 3.0))
     bent = kind("rope", bending_stiffness=1e4)
+    light = kind("rope", mass_per_length=8.0, bending_stiffness=1e3)
     sheared = Current((-20.0, -10.0, 0.0), ((0.0, 0.0, 0.0), (0.1, 0.0, 0.0), (0.5, 0.1, 0.0)))
     flow = CurrentGrid(t=(0.0, 5.0), x=(-9.0, 99.0), velocity=np.full((2, 2, 1, 1, 3), 0.2))
     x, rows = (0.0, 10.0), ((0.2, 0.3), (0.4, 0.5))
@@ -42,6 +45,12 @@ def models() -> dict[str, tuple[Model, Motion | None]]:
     }
     soil = Friction(model="soil-curves", axial_curve=table, transverse_curve=table)
     bridle = (line(1, 1, 3, ("rope", 15.0, 3)), line(2, 3, 2, ("rope", 22.0, 4)))
+    hull = body(position=(10.0, 0.0, -10.0), volume=0.3)
+    eye = Point(id=4, kind="fixed", position=(0.5, 0.0, 0.0), body=1)
+    stick, pole = (
+        rod(1, "free", (0.0, 0.0, -15.0), (0.2, 0.0, -13.0)),
+        rod(1, "coupled-pinned", (0, 0, -9), (2, 0, -9)),
+    )
     return {
         "three chains, moved": (spread(10), Motion.from_harmonics(5.0, ramp=2.0, surge=(1.0, 8.0))),
         "one segment": (single(CHAIN, 34.0, 1, a, b), None),
@@ -56,6 +65,13 @@ def models() -> dict[str, tuple[Model, Motion | None]]:
         "maps": (single(CHAIN, 34.0, 5, a, b, water_depth=20.0, **mapped), moved),
         "soil curves": (single(CHAIN, 34.0, 5, a, b, water_depth=20.0, friction=soil), moved),
         "soil with a memory": (single(CHAIN, 34.0, 5, a, b, water_depth=20.0, soil=Soil(shear_strength=3000)), moved),
+        "a body alone, in air": (floating((body(kind="pinned"),), environment=AIR), None),
+        "a rod alone": (floating(rods=(pole,)), moved),
+        "a free body": (floating((hull,), line_types=kind(), points=(a, eye), lines=(line(1, 1, 4, ("rope", 20.0, 3)),)), None),
+        "a free rod, bent lines": (floating(rods=(stick,), line_types=light, points=(a,),
+                                            lines=(line(1, 1, held(stick, "A"), ("rope", 5.0, 3)),)), None),
+        "a coupled-pinned rod": (floating(rods=(pole,), line_types=kind(), points=(fixed(1, 0.0, 0.0, -20.0),),
+                                          lines=(line(1, 1, held(pole, "B"), ("rope", 20.0, 3)),)), moved),
         "no water, no weight": (single(kind(), 30.0, 3, a, b, water_density=0.0, gravity=0.0), moved),
     }  # fmt: skip
 
@@ -89,10 +105,11 @@ def test_main_kernels_are_compiled_once():
     """All models are solved, run by every method and condensed; then each kernel has one signature."""
     for model, motion in models().values():
         built = build(model, motion)
+        watch = ((0, 1),) if model.lines else ()
         solve(built)
         point_stiffness(built)
         for settings in ({}, {"time_step": 0.01}, {"method": "rk4", "time_step": 1e-5}):
-            run(built, 0.02, dt_out=0.01, dt_nodes=0.02, watch=((0, 1),), **settings)
+            run(built, 0.02, dt_out=0.01, dt_nodes=0.02, watch=watch, **settings)
         host = HostMarch(built)
         host.initialize()
         host.step(0.02, host.position, host.velocity)

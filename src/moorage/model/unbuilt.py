@@ -9,11 +9,6 @@ from moorage.model.cables import stiff_ends
 from moorage.model.channels import parse_channel
 from moorage.model.model import Model
 
-GIVEN = {  # channels of rods and bodies that follow from their imposed motion and from the lines
-    "rod": ("PX", "PY", "PZ", "RX", "RY", "TEN", "TENA", "TENB"),
-    "body": ("PX", "PY", "PZ", "RX", "RY", "RZ", "VX", "VY", "VZ"),
-}
-
 
 def refuse_unbuilt(model: Model) -> None:
     """Raise one `UnsupportedError` that names every feature of the model that is not simulated yet."""
@@ -91,10 +86,9 @@ def _controls(model: Model) -> Iterator[Problem]:
 def _channels(model: Model) -> Iterator[Problem]:
     for output in model.outputs:
         channel = parse_channel(output.name)
-        known = GIVEN.get(channel.object) if channel else None
-        if channel and known and channel.quantity not in known:
-            message = f"channel {output.name}: this of a {channel.object} is not simulated yet"
-            yield Problem(message, f"remove it, or ask for {', '.join(known)}", output.source)
+        if channel and channel.object == "rod" and channel.node is not None and channel.quantity[0] in "FA":
+            message = f"channel {output.name}: forces and accelerations of nodes of rods are not simulated"
+            yield Problem(message, "remove it, or ask for that of the rod", output.source)
 
 
 UNBUILT: tuple[Callable[[Model], Iterator[Problem]], ...] = (

@@ -20,13 +20,11 @@ from moorage.layout import Weights
 from moorage.model import Model, Motion
 from moorage.model.channels import Channel, parse_channel
 from moorage.physics.point import sample_loads
-from moorage.physics.sea import RECORD, scratch_for
-from moorage.physics.sea_table import FIELDS
 from moorage.results.rigid_channels import of_body, of_rod
+from moorage.solve.carried import water_at
 from moorage.solve.given_water import WaterFeed
 from moorage.solve.march import Block
 from moorage.system.build import Built
-from moorage.system.water import sample_water
 
 Evaluate = Callable[[Block], np.ndarray]
 
@@ -105,7 +103,7 @@ def _output(
         unit, words, evaluate = of_rod(channel, model, k, first_rod_end(model, k))
     elif channel.object == "body":
         k = next(k for k, body in enumerate(model.bodies) if body.id == channel.id)
-        unit, words, evaluate = of_body(channel, model, k, motion)
+        unit, words, evaluate = of_body(channel, model, k)
     elif _end(model, channel) is not None:
         unit, words, evaluate = _of_end(channel, model)
     else:
@@ -147,13 +145,6 @@ def _of_node(channel: Channel, model: Model, watched: dict[tuple[int, int], int]
 def _vector(field: str, k: int, quantity: str) -> Evaluate:
     axis = "XYZ".index(quantity[-1])
     return lambda block: block[field][:, k, axis]
-
-
-def water_at(built: Built, time: np.ndarray, position: np.ndarray) -> np.ndarray:
-    """Return elevation, velocity and acceleration of the water (n, 7) at times (n,) and places (n, 3)."""
-    out = np.empty((len(time), FIELDS))
-    sample_water(built.system, time, position, scratch_for(built.system.sea), np.zeros(RECORD), out)
-    return out
 
 
 def _norm(vectors: np.ndarray) -> np.ndarray:

@@ -4,8 +4,7 @@ A rod's roll and pitch are -phi sin b and phi cos b, with phi its angle from the
 angles are intrinsic XYZ Euler angles. Both are in degrees, as are their rates. TENA and TENB of a rod are the norms of
 the forces of all lines on that end, without inertia; TEN is one of both by the node.
 
-Of what moves by prescribed motion positions, angles and velocities of bodies follow from that; all else is taken from
-arrays of the block, where the engine has the thing as an unknown:
+All is taken from arrays of the block (`solve.carried`):
 
     rod_velocity, rod_acceleration, rod_force      (n, rods, 6)    of end A, linear then angular; force about it
     rod_submergence                                (n, rods)
@@ -21,9 +20,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from moorage.model import Attachment, Body, Model, Motion, Rod
+from moorage.model import Attachment, Model, Rod
 from moorage.model.channels import Channel
-from moorage.physics.motion import Tracks, no_tracks, sample_track, spline_tracks
 from moorage.solve.march import Block
 
 Described = tuple[str, str, Callable[[Block], np.ndarray]]  # unit, words, evaluation
@@ -103,7 +101,7 @@ def node_velocity(quantity: str, k: int, share: float, first: int, last: int) ->
     return velocity
 
 
-def of_body(channel: Channel, model: Model, k: int, motion: Motion | None) -> Described:
+def of_body(channel: Channel, model: Model, k: int) -> Described:
     """Return a channel of the k-th body."""
     body, quantity = model.bodies[k], channel.quantity
     if quantity == "TEN":
@@ -112,42 +110,11 @@ def of_body(channel: Channel, model: Model, k: int, motion: Motion | None) -> De
             return np.sqrt((block["body_force"][:, k, :3] ** 2).sum(axis=1))
 
         return "N", f"size of the force on body {body.id}", size
-    if quantity[:-1] not in ("P", "R", "V"):
+    if quantity[:-1] not in ("P", "R"):
         return of_array("body", channel, k)
-    tracks, axis = body_tracks(body, model, motion), "XYZ".index(quantity[-1])
-    which, name, unit = {
-        "P": (0, "position", "m"),
-        "R": (1, "rotation", "degree"),
-        "V": (0, "velocity", "m s-1"),
-    }[quantity[:-1]]
-    scale = 180.0 / np.pi if unit == "degree" else 1.0
-
-    def value(block: Block) -> np.ndarray:
-        if f"body_{name}" in block:
-            return scale * block[f"body_{name}"][:, k, axis]
-        motion_of = [np.empty((len(block["time"]), 3)) for _ in range(3)]
-        sample_track(tracks, which, block["time"], *motion_of)
-        return scale * motion_of[1 if name == "velocity" else 0][:, axis]
-
-    return unit, f"{name} of body {body.id}", value
-
-
-def body_tracks(body: Body, model: Model, motion: Motion | None) -> Tracks:
-    """Return the imposed tracks of a body: its position, and its Euler angles as a vector."""
-    rest = np.array([body.position, body.rotation], dtype=float)
-    moved = motion.resolve_bodies(model) if motion else {}
-    if motion is None or body.id not in moved:
-        return no_tracks(rest)
-    x, R = moved[body.id]
-    return spline_tracks(rest, motion.time, {0: x, 1: euler_angles(R)})
-
-
-def euler_angles(R: np.ndarray) -> np.ndarray:
-    """Return the intrinsic XYZ angles (n, 3), rad, of rotation matrices (n, 3, 3), without jumps from row to row."""
-    roll = np.arctan2(-R[:, 1, 2], R[:, 2, 2])
-    pitch = np.arcsin(np.clip(R[:, 0, 2], -1.0, 1.0))
-    yaw = np.arctan2(-R[:, 0, 1], R[:, 0, 0])
-    return np.unwrap(np.stack([roll, pitch, yaw], axis=1), axis=0)
+    axis, name = "XYZ".index(quantity[-1]), "position" if quantity[0] == "P" else "rotation"
+    scale, unit = (1.0, "m") if quantity[0] == "P" else (180.0 / np.pi, "degree")
+    return unit, f"{name} of body {body.id}", lambda block: scale * block[f"body_{name}"][:, k, axis]
 
 
 def of_array(kind: str, channel: Channel, k: int) -> Described:

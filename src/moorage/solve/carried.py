@@ -30,20 +30,17 @@ def carried(built: Built, points: np.ndarray, objects: Block, loads: Block, time
         `end_load`, `end_moment` of lines; `rod_load` and `rod_load_moment` of the nodes of rods.
     time : (n,)
     """
-    ends, block = points[:, built.rods.ends], {}
-    block["rod_position"], block["rod_velocity"], block["rod_acceleration"] = (
-        ends[..., :3],
-        ends[..., 3:6],
-        ends[..., 6:],
-    )
+    block: Block = {}
+    if len(built.rods.line):
+        block |= _rods(built, points[:, built.rods.ends], time)
     if len(built.bodies.object):
         block |= _bodies(built, points, objects, time)
         block["body_rotation"] = euler_angles(block["body_axes"])
-    if len(built.rods.line) or len(built.bodies.object):
-        force, moment = _line_loads(built, loads)
+    force, moment = _line_loads(built, loads)
+    if len(built.rods.line):
         block["rod_force"] = _rod_force(built, block, force, moment, loads)
-        if len(built.bodies.object):
-            block["body_force"] = _body_force(built, block, points, force, moment, loads, time)
+    if len(built.bodies.object):
+        block["body_force"] = _body_force(built, block, points, force, moment, loads, time)
     return block
 
 
@@ -51,6 +48,39 @@ def euler_angles(R: np.ndarray) -> np.ndarray:
     """Return roll, pitch and yaw (..., 3), intrinsic XYZ, of rotations (..., 3, 3)."""
     pitch = np.arcsin(np.clip(R[..., 0, 2], -1.0, 1.0))
     return np.stack([np.arctan2(-R[..., 1, 2], R[..., 2, 2]), pitch, np.arctan2(-R[..., 0, 1], R[..., 0, 0])], axis=-1)
+
+
+def _rods(built: Built, ends: np.ndarray, time: np.ndarray) -> Block:
+    """Return the motion of the rods from that of their ends (n, rods, 2, 9), and which share of them is wet.
+
+    Velocity and acceleration are those of end A with those of rotation across the axis, (n, rods, 6).
+    """
+    a, b = ends[:, :, 0], ends[:, :, 1]
+    along = b[..., :3] - a[..., :3]
+    square = np.maximum((along**2).sum(axis=-1), 1e-300)[..., None]
+    spin, twist = (np.cross(along, b[..., k : k + 3] - a[..., k : k + 3]) / square for k in (3, 6))
+    level = np.stack([_elevation(built, ends[:, k].reshape(-1, 9), time) for k in range(ends.shape[1])], axis=1)
+    below = level - ends[..., 2]  # (n, rods, 2) depths of the ends
+    low, high = below.max(axis=-1), below.min(axis=-1)
+    wet = np.clip(low / np.maximum(low - high, 1e-12), 0.0, 1.0)
+    return {
+        "rod_position": ends[..., :3],
+        "rod_velocity": np.concatenate([a[..., 3:6], spin], axis=-1),
+        "rod_acceleration": np.concatenate([a[..., 6:], twist], axis=-1),
+        "rod_submergence": np.where(high >= 0.0, 1.0, np.where(low <= 0.0, 0.0, wet)),
+    }
+
+
+def _elevation(built: Built, ends: np.ndarray, time: np.ndarray) -> np.ndarray:
+    """Return the elevation of the surface over the two ends of a rod, (n, 2), m; ends (2 n, 9)."""
+    return water_at(built, np.repeat(time, 2), ends[:, :3])[:, 0].reshape(-1, 2)
+
+
+def water_at(built: Built, time: np.ndarray, position: np.ndarray) -> np.ndarray:
+    """Return elevation, velocity and acceleration of the water (n, 7) at times (n,) and places (n, 3)."""
+    out, place = np.empty((len(time), FIELDS)), np.ascontiguousarray(position)
+    sample_water(built.system, np.ascontiguousarray(time), place, scratch_for(built.system.sea), np.zeros(RECORD), out)
+    return out
 
 
 def _bodies(built: Built, points: np.ndarray, objects: Block, time: np.ndarray) -> Block:
@@ -138,9 +168,7 @@ def _body_force(built: Built, block: Block, points, force, moment, loads: Block,
 def own_load(built: Built, block: Block, k: int, acceleration: np.ndarray, time: np.ndarray) -> np.ndarray:
     """Return force and moment (n, 6) on body k by itself: weight, water, given loads, inertia."""
     place, n = np.ascontiguousarray(block["body_position"][:, k]), len(time)
-    water, out = np.empty((n, FIELDS)), np.empty((n, 6))
-    scratch = scratch_for(built.system.sea)
-    sample_water(built.system, np.ascontiguousarray(time), place, scratch, np.zeros(RECORD), water)
+    water, out = water_at(built, time, place), np.empty((n, 6))
     sample_rigid(
         built.body_loads, k, water, place, np.ascontiguousarray(block["body_axes"][:, k].reshape(n, 9)),
         np.ascontiguousarray(block["body_velocity"][:, k]), np.ascontiguousarray(acceleration),

@@ -142,7 +142,11 @@ def fill_body(p: np.ndarray, body: Body, env: Environment, flavour: str) -> None
 
 
 def waterplanes(model: Model) -> np.ndarray:
-    """Return rho g pi d^4 / 64 of every line (0) and rod, N m."""
+    """Return what turns a floating rod upright beside the buoyancy along its axis, of every line (0) and rod, N m.
+
+    The waterplane of an upright rod does with rho g I, I = pi d^4 / 64. Two thirds of that are in the buoyancy already:
+    its sections become dry linearly over their diameter, which moves its centre up by I / (A a) 2/3, a the wet length.
+    """
     env, diameter = model.environment, {t.name.lower(): t.diameter for t in model.rod_types}
-    rods = [np.pi / 64.0 * diameter[rod.rod_type.lower()] ** 4 for rod in rigid_rods(model)]
+    rods = [np.pi / 192.0 * diameter[rod.rod_type.lower()] ** 4 for rod in rigid_rods(model)]
     return env.water_density * env.gravity * np.array([0.0] * len(model.lines) + rods)

@@ -68,6 +68,10 @@ def read_hold(word: str, what: str, found: Findings, source: Source) -> Hold:
             return Hold("pinned", body=int(digits))
     if letters in TURBINE and digits and not rest:
         return Hold("coupled", turbine=int(digits))
+    if letters == "BODY" and digits and what == "body":
+        message = "bodies do not ride on bodies, not on others and not on themselves"
+        found.add(message, f"tie them with lines, or write {WORDS[what]}", source, word)
+        return Hold("fixed")
     nearest = difflib.get_close_matches(word.upper(), [*kinds, "TURBINE1", "BODY1", "BODY1PINNED"], n=1)
     hint = f"did you mean {nearest[0].capitalize()}? " if nearest else ""
     found.add(f"attachment of a {what} is not known", f"{hint}write {WORDS[what]}", source, word)

@@ -1,0 +1,139 @@
+"""What is wrong with rods and bodies is said by name, with place and remedy, before anything is computed."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import pytest
+from floats import AIR, SPAR, WATER, body, floating, rod
+from moorings import fixed, held, kind, line
+
+from moorage.errors import ModelError, Source
+from moorage.io import read
+from moorage.model import Attachment, Failure, Model, Point, RodType
+from moorage.model.checks import check
+from moorage.model.inertia import objects_have_inertia
+
+AT = Source("model.dat", 12)
+WEIGHTLESS = RodType(name="spar", diameter=0.4, mass_per_length=0.0)
+NOTHING = {"mass": 0.0, "inertia": (0.0, 0.0, 0.0), "source": AT}
+ENDS = (0.0, 0.0, -5.0), (1.0, 0.0, -8.0)
+
+
+def on(id: int, *arm: float, **properties) -> Point:
+    return Point(id=id, kind="fixed", position=arm, body=1, **properties)  # type: ignore[arg-type]
+
+
+def tied(model: Model, end: Attachment) -> Model:
+    """The model with a line from a fixed point to an end."""
+    return dataclasses.replace(
+        model,
+        line_types=(kind(),),
+        points=(*model.points, fixed(9, 0.0, 0.0, -60.0)),
+        lines=(line(1, 9, end, ("rope", 15.0, 3)),),
+    )
+
+
+LACKING = {
+    "a body of nothing": (floating((body(**NOTHING),)), "body 1 is free, and can move without mass"),
+    "a mass that is a point": (
+        floating((body(**NOTHING | {"mass": 10.0}),)), "body 1 is free, and can turn without inertia about"),
+    "inertia about two axes": (
+        floating((body(**NOTHING | {"mass": 10.0, "inertia": (1.0, 0.0, 2.0)}),)), "turn without inertia about y of the body"),
+    "two points on an axis": (
+        floating((body(**NOTHING),), points=(on(1, 0.0, -10.0, 2.0, mass=20.0), on(2, 0.0, -10.0, -2.0, mass=20.0))),
+        "turn without inertia about z of the body"),
+    "a pinned body": (floating((body(kind="pinned", **NOTHING | {"mass": 10.0}),)), "body 1 is pinned, and can turn"),
+    "mass on the axis of a pinned body": (
+        floating((body(kind="coupled-pinned", **NOTHING | {"mass": 10.0, "centre_of_gravity": (0.0, 0.0, 1.0)}),)),
+        "body 1 is coupled-pinned, and can turn without inertia about z of the body"),
+    "a pinned rod without mass": (
+        floating(rods=(rod(1, "pinned", *ENDS, source=AT),), types=WEIGHTLESS), "rod 1 is pinned, and can turn without inertia"),
+    "a free rod without mass": (
+        floating(rods=(rod(1, "free", *ENDS, source=AT),), types=WEIGHTLESS), "rod 1 is free, and can move without mass"),
+    "a free rod without mass on one line": (
+        tied(floating(rods=(rod(1, "free", *ENDS, source=AT),), types=WEIGHTLESS), Attachment("rod", 1, "A")),
+        "rod 1 is free, and can turn without inertia"),
+    "a pinned rod without mass, its line at the pin": (
+        tied(floating(rods=(rod(1, "pinned", *ENDS, source=AT),), types=WEIGHTLESS), Attachment("rod", 1, "A")),
+        "rod 1 is pinned, and can turn without inertia"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", LACKING)
+def test_what_moves_has_inertia(name):
+    model, message = LACKING[name]
+    with pytest.raises(ModelError) as caught:
+        check(model)
+    assert str(caught.value).startswith("model.dat:12: ")
+    assert message in str(caught.value)
+    assert "or hold it (fixed, coupled)" in str(caught.value)
+    assert len(caught.value.problems) == 1
+
+
+HELD = {
+    "a fixed body of nothing": floating((body(kind="fixed", **NOTHING),)),
+    "a coupled body of nothing": floating((body(kind="coupled", **NOTHING),)),
+    "a body of points": floating(
+        (body(**NOTHING),), points=(on(1, 1.0, 0.0, 0.0, mass=1.0), on(2, 0.0, 1.0, 0.0, mass=1.0), on(3, 0.0, 0.0, 1.0, mass=1.0))
+    ),
+    "a body of a rod": floating((body(**NOTHING),), (rod(1, "fixed", *ENDS, body=1),)),
+    "a body of added inertia": floating((body(**NOTHING | {"mass": 1.0, "volume": 1.0, "added_mass": (0, 0, 0, 1, 1, 1)}),)),
+    "a rod": floating(rods=(rod(1, "free", *ENDS), rod(2, "pinned", *ENDS))),
+    "a pinned rod that water goes with": floating(
+        rods=(rod(1, "pinned", *ENDS),), types=dataclasses.replace(WEIGHTLESS, transverse_added_mass=1.0), environment=WATER
+    ),
+    "a pinned rod without mass that a line holds": tied(
+        floating(rods=(rod(1, "pinned", *ENDS),), types=WEIGHTLESS, environment=AIR), Attachment("rod", 1, "B")
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", HELD)
+def test_what_has_inertia_is_let_pass(name):
+    check(HELD[name])
+
+
+def test_lack_of_inertia_is_not_judged_where_names_are_wrong():
+    model = tied(floating(rods=(rod(1, "pinned", *ENDS, type="unknown"),)), Attachment("rod", 1, "B"))
+    assert list(objects_have_inertia(model)) == []
+    with pytest.raises(ModelError, match="type of rod 1 is not described"):
+        check(model)
+
+
+def test_ends_that_coincide():
+    model = floating(rods=(rod(3, "free", ENDS[0], ENDS[0], 2, source=AT),))
+    with pytest.raises(ModelError) as caught:
+        check(model)
+    assert str(caught.value) == (
+        "model.dat:12: ends of rod 3 coincide, but it has 2 segments\n    -> give 0 segments for a rod without length"
+    )
+
+
+def test_failure_of_a_line_that_is_not_there():
+    stick = rod(1, "free", *ENDS)
+    model = tied(floating(rods=(stick,)), held(stick, "A"))
+    with pytest.raises(ModelError, match=r"failure 1 names line 4, which is not described\n.*the lines are 1"):
+        check(dataclasses.replace(model, failures=(Failure(id=1, attachment=held(stick, "A"), lines=(4,), time=1.0),)))
+    with pytest.raises(ModelError, match=r"failure 1: line 1 is not tied to end B of rod 1"):
+        check(dataclasses.replace(model, failures=(Failure(id=1, attachment=held(stick, "B"), lines=(1,), time=1.0),)))
+
+
+BODIES = """\
+---------------------- BODIES --------------------------------
+ID  Attachment  X0  Y0  Z0   r0  p0  y0  Mass  CG  I    Volume  CdA  Ca
+(#) (word)      (m) (m) (m)  (-) (-) (-) (kg)  (m) (-)  (m3)    (m2) (-)
+1   Body1       0   0   -50  0   0   0   100   0   50   0       0    0
+"""
+
+
+def test_a_body_that_carries_itself(deck):
+    heading = "---------------------- POINTS"
+    with pytest.raises(ModelError) as caught:
+        read(deck((heading, BODIES + heading)))
+    assert "model.dat:10: bodies do not ride on bodies, not on others and not on themselves" in str(caught.value)
+    assert "(read: 'Body1')\n    -> tie them with lines, or write Fixed, Coupled" in str(caught.value)
+
+
+def test_the_good_model_passes():
+    check(floating((body(),), (rod(1, "fixed", *ENDS, body=1),), SPAR))
