@@ -21,6 +21,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 PACKAGES = {
     "moordyn_c": "moordyn",
     "moordyn_c_nodes": "moordyn",
+    "moordyn_c_objects": "moordyn",
     "moorpy_statics": "moorpy",
     "cabledyn_fem": "cabledyn",
     "moorage_march": "moorage",

@@ -5,8 +5,8 @@ Nothing of Moorage is used. Both lump a rod's mass, drag and added mass at its n
 * Inertia of rotation ("kinematics"). Ours: the force -M_i w x (w x r_i) of every node, with its moment. MoorDyn-F
   (2.3.8): for every rod first -m w x (w x r_c) of its own mass about end A, with its moment; and for a rod whose end A is
   not at the body's reference point once more -(M w x (w x r)) of mass and added mass at its middle, without its moment.
-* Water ("water"). Ours: buoyancy where the axis is wet, dry sections over a band of their own radius, and what the
-  waterplane of an upright rod has more; nodes are wet by their shares of it. MoorDyn-F: radial pressure on the sides,
+* Water ("water"). Ours: buoyancy where the axis is wet, over a band that the sections reach as they lean, and the moment
+  pi d^4 / 64 rho g sin of the waterplane; nodes are wet by their shares of it. MoorDyn-F: radial pressure on the sides,
   pressure on the end faces, a moment of pi d^4 / 16 rho g sin cos for the waterplane, and a wetness of each node that
   mixes that of its length and of its section.
 """
@@ -78,7 +78,8 @@ def water_of_ours(rod: Cylinder, z: np.ndarray, share: np.ndarray, q: np.ndarray
     """By a fine sum along the axis."""
     d, n, fine = rod.diameter, rod.segments, 40
     t = (np.arange(n * fine) + 0.5) / fine
-    phi = np.clip(0.5 - (z[0] + (z[-1] - z[0]) * t / n) / d, 0.0, 1.0)
+    band = d * max(0.02, abs(q[0]))
+    phi = np.clip(0.5 - (z[0] + (z[-1] - z[0]) * t / n) / band, 0.0, 1.0)
     left = np.minimum(t.astype(int), n - 1)
     volume, whole = np.zeros(n + 1), np.zeros(n + 1)
     for k, weight in ((0, 1.0 - (t - left)), (1, t - left)):
@@ -86,8 +87,8 @@ def water_of_ours(rod: Cylinder, z: np.ndarray, share: np.ndarray, q: np.ndarray
         np.add.at(whole, left + k, weight)
     force = np.zeros((n + 1, 2))
     force[:, 1] = RHO * G * np.pi / 4.0 * d**2 * rod.length / (n * fine) * volume
-    ends = np.clip(0.5 - z[[0, -1]] / d, 0.0, 1.0)
-    moment = -RHO * G * np.pi / 192.0 * d**4 * (ends[0] - ends[1]) * q[0]
+    ends = np.clip(0.5 - z[[0, -1]] / band, 0.0, 1.0)
+    moment = -RHO * G * np.pi / 64.0 * d**4 * (ends[0] - ends[1]) * q[0]
     return Water(volume / whole, ends, force, moment)
 
 
@@ -131,11 +132,11 @@ def loads(state: np.ndarray, moordyn_water: bool, moordyn_kinematics: bool) -> t
     return F, M
 
 
-def run(duration: float, step: float = 0.02, water_as_moordyn: bool = True, kinematics_as_moordyn: bool = True):
+def run(duration: float, step: float = 0.02, moordyn_water: bool = True, moordyn_kinematics: bool = True):
     """Return times (n,) and states (n, 6): x, z, pitch and their rates (classic Runge-Kutta)."""
 
     def slope(y):
-        F, M = loads(y, water_as_moordyn, kinematics_as_moordyn)
+        F, M = loads(y, moordyn_water, moordyn_kinematics)
         return np.concatenate([y[3:], np.linalg.solve(M, F)])
 
     states = [START]
