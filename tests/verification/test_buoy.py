@@ -89,3 +89,23 @@ def test_pitch_and_roll(axis):
 def test_another_waterplane_fails(wrong):
     """None, and that of dry sections and of the whole waterplane together."""
     must_fail(check_pitch, wrong, 1)
+
+
+def check_moment(cut: float) -> None:
+    """Moment about the keel of the buoy tilted by 0.05 rad: a cylinder cut by the surface, to tan^2 / 12 of r^2."""
+    tilt = 0.05
+    model = buoy(rotation=(0.0, tilt, 0.0))
+    force = run(at_rest(model), STEP, dt_out=STEP, time_step=STEP)["body_force"][0, 0]
+    a, hull = DRAUGHT / np.cos(tilt), HULL.mass_per_length * LENGTH
+    upright = DENSITY * AREA * (0.5 * a**2 + cut * RADIUS**2 / 8.0 * (2.0 + np.tan(tilt) ** 2))
+    expected = -GRAVITY * np.sin(tilt) * (upright - 0.5 * BALLAST - 0.5 * LENGTH * hull)
+    assert force[4] == pytest.approx(expected, rel=2e-4)
+    assert force[2] == pytest.approx(GRAVITY * DENSITY * AREA * (a - DRAUGHT), rel=1e-3)
+
+
+def test_moment_of_a_tilted_buoy():
+    check_moment(1.0)
+
+
+def test_moment_without_waterplane_fails():
+    must_fail(check_moment, 0.0)

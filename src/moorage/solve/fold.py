@@ -64,7 +64,7 @@ from moorage.physics.rigid import (
     wet_body,
 )
 from moorage.physics.weight import section_fraction
-from moorage.system.ride import rider_arm, vector
+from moorage.system.ride import rider_arm, surface_band, vector
 
 UP = (0.0, 0.0, 1.0)
 ZERO6 = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
@@ -176,14 +176,24 @@ def add_rod(system, state, work, A, b, size, line, o, c):
 @inlined
 def rod_upright(system, state, line, o, c):
     """Moment of a rod's waterplane (body axes) and its block."""
-    first, last = line_nodes(system.lines, line)
     R = mat_get(state.frames[ATTITUDE], o)
     span = sub(vector(system.riders.places, line, SPAN + 1), vector(system.riders.places, line, SPAN + 0))
     q0 = scale(1.0 / math.sqrt(dot(span, span)), span)
-    radius = system.weight.radius[first - line]
-    low = section_fraction(radius, state.position[first, 2] - state.water[first, 0])
-    high = section_fraction(radius, state.position[last, 2] - state.water[last, 0])
-    return upright_moment(system.riders.places[line, WATERPLANE, 0] * (low - high), q0, mat_t_times(R, UP), c)
+    strength = waterplane(system, state, line, mat_times(R, q0))
+    return upright_moment(strength, q0, mat_t_times(R, UP), c)
+
+
+@inlined
+def waterplane(system, state, line, q):
+    """Strength of the moment of a rod's waterplane, N m: all of it while end A is wet and end B is dry.
+
+    q: the rod's direction.
+    """
+    first, last = line_nodes(system.lines, line)
+    band = surface_band(system, line, first - line, q)
+    low = section_fraction(band, state.position[first, 2] - state.water[first, 0])
+    high = section_fraction(band, state.position[last, 2] - state.water[last, 0])
+    return system.riders.places[line, WATERPLANE, 0] * (low - high)
 
 
 @inlined

@@ -22,7 +22,9 @@ from moorage.physics.rigid import rotation, turning_rate
 from moorage.physics.tension import segment_tension, tension_terms
 from moorage.physics.weight import wet_shares
 from moorage.solve.bends import end_bending, node_bending, record_joints
+from moorage.solve.fold import UP, waterplane
 from moorage.system.assemble import node_terms, rubbing_load, span_around, unit_or_zero
+from moorage.system.ride import surface_band
 
 # columns of Record.lines
 FORCE_A, FORCE_B, LOAD_A, LOAD_B, TENSION_A, TENSION_B, LOWEST, GROUNDED = 0, 3, 6, 9, 12, 13, 14, 15
@@ -98,13 +100,13 @@ def node_force(system, state, line, i):
     if i > first:
         e0, de = spans(state, i - 1)
         pull = scale(-1.0, tension_terms(system.tension, j0, e0, de, c)[0])
-        share0 = wet_shares(system.weight.radius[j0], r[2] - e0[2] - state.water[i - 1, 0], height)[1]
+        share0 = wet_shares(surface_band(system, line, j0, e0), r[2] - e0[2] - state.water[i - 1, 0], height)[1]
         lift += share0 * system.weight.buoyancy[j0]
     if i < last:
         j1 = np.uintp(i - line)
         e1, de = spans(state, i)
         pull = add(pull, tension_terms(system.tension, j1, e1, de, c)[0])
-        share1 = wet_shares(system.weight.radius[j1], height, r[2] + e1[2] - state.water[i + 1, 0])[0]
+        share1 = wet_shares(surface_band(system, line, j1, e1), height, r[2] + e1[2] - state.water[i + 1, 0])[0]
         lift += share1 * system.weight.buoyancy[j1]
     n = np.uintp(i)
     if share0 + share1 == 1.0:
@@ -159,7 +161,7 @@ def sample_island(system, state, t, island, sample):
 
 @kernel
 def sample_rod(system, state, line, sample):
-    """Evaluate the columns of a rod: forces on its nodes, and their moments about end A."""
+    """Evaluate the columns of a rod: forces on its nodes, and moments about end A, with that of its waterplane."""
     first, last = line_nodes(system.lines, line)
     total, rest, turn, turn_rest = (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0, 0.0)
     start = get(state.position, first)
@@ -169,6 +171,9 @@ def sample_rod(system, state, line, sample):
         rest, turn_rest = add(rest, load), add(turn_rest, cross(arm, load))
         whole = add(load, inertia)
         total, turn = add(total, whole), add(turn, cross(arm, whole))
+    q = unit_or_zero(sub(get(state.position, last), start))
+    upright = scale(waterplane(system, state, line, q), cross(q, UP))
+    turn, turn_rest = add(turn, upright), add(turn_rest, upright)
     put_row(sample, line, FORCE_A, total)
     put_row(sample, line, LOAD_A, rest)
     put_row(sample, line, MOMENT_A, turn)

@@ -60,6 +60,7 @@ from moorage.physics.morison import (
 )
 from moorage.physics.tension import tension_terms
 from moorage.physics.weight import wet_shares
+from moorage.system.ride import surface_band
 
 ZERO3 = (0.0, 0.0, 0.0)
 ZERO6 = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
@@ -109,7 +110,7 @@ def walk(system, state, start, line, i, last, carried, c):
         e, de = sub(get(state.position, i + 1), r), sub(get(state.velocity, i + 1), v)
         pull, block = tension_terms(system.tension, j, e, de, c)
         height, height_far = r[2] - state.water[i, 0], r[2] + e[2] - state.water[i + 1, 0]
-        share, share_far, d00, d01, d11 = wet_shares(system.weight.radius[j], height, height_far)
+        share, share_far, d00, d01, d11 = wet_shares(surface_band(system, line, j, e), height, height_far)
         buoyancy = system.weight.buoyancy[j]
     elif system.lines.beyond[line, 1] >= 0:
         e = sub(get(state.position, system.lines.beyond[line, 1]), r)

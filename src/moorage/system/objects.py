@@ -109,7 +109,8 @@ def build_rigid(model: Model, things: list[Rod | Body], reach: np.ndarray) -> ri
                 if rod.body == thing.id and rod.segments and rod.kind != "pinned":
                     inertia += beyond_nodes(model, rod, np.array(rod.direction))
         p[o, rigid.INERTIA :] = inertia.ravel()
-        gyration = np.sqrt(np.trace(inertia) / (2.0 * thing.mass)) if isinstance(thing, Body) and thing.mass else 0.0
+        turns = max(np.trace(inertia), 0.0)  # of a rod's nodes there is more beside
+        gyration = np.sqrt(turns / (2.0 * thing.mass)) if isinstance(thing, Body) and thing.mass else 0.0
         p[o, rigid.SIZE] = max(reach[o], gyration, 1e-2)
         for load in model.external_loads:
             if load.target == ("rod" if isinstance(thing, Rod) else "body") and load.target_id == thing.id:
@@ -142,11 +143,7 @@ def fill_body(p: np.ndarray, body: Body, env: Environment, flavour: str) -> None
 
 
 def waterplanes(model: Model) -> np.ndarray:
-    """Return what turns a floating rod upright beside the buoyancy along its axis, of every line (0) and rod, N m.
-
-    The waterplane of an upright rod does with rho g I, I = pi d^4 / 64. Two thirds of that are in the buoyancy already:
-    its sections become dry linearly over their diameter, which moves its centre up by I / (A a) 2/3, a the wet length.
-    """
+    """Return rho g pi d^4 / 64 of every line (0) and rod, N m."""
     env, diameter = model.environment, {t.name.lower(): t.diameter for t in model.rod_types}
-    rods = [np.pi / 192.0 * diameter[rod.rod_type.lower()] ** 4 for rod in rigid_rods(model)]
+    rods = [np.pi / 64.0 * diameter[rod.rod_type.lower()] ** 4 for rod in rigid_rods(model)]
     return env.water_density * env.gravity * np.array([0.0] * len(model.lines) + rods)

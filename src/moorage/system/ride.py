@@ -2,19 +2,34 @@
 
 from __future__ import annotations
 
+import math
+
 from moorage._jit import inlined, kernel
-from moorage._vec3 import add, get, mat_get, mat_mat, mat_put, mat_times, put, scale, sub
-from moorage.layout import ATTITUDE, BASE, CARRIER, CLAMP, HELD, PIN, ROW, SPAN, TOWARD, line_nodes, point_row
+from moorage._vec3 import add, dot, get, mat_get, mat_mat, mat_put, mat_times, put, scale, sub
+from moorage.layout import ATTITUDE, BASE, CARRIER, CLAMP, FLEXIBLE, HELD, PIN, ROW, SPAN, TOWARD, line_nodes, point_row
 from moorage.physics.motion import follow
 from moorage.physics.rigid import arm_motion, rotation
 
 ZERO3 = (0.0, 0.0, 0.0)
+UPRIGHT = 0.02  # sine of the least lean of a rod in the surface: below it dries as if it leaned that much
 
 
 @inlined
 def vector(a, i, j):
     """Row a[i, j] of an array (n, m, 3)."""
     return a[i, j, 0], a[i, j, 1], a[i, j, 2]
+
+
+@inlined
+def surface_band(system, line, j, e):
+    """Half height of the band in which sections of segment j, along e, become dry, m.
+
+    It is the radius of a line, which is thin; a rod's sections reach as high as it leans.
+    """
+    radius = system.weight.radius[j]
+    if system.riders.lines[line, CARRIER] == FLEXIBLE:
+        return radius
+    return radius * max(UPRIGHT, math.sqrt((e[0] * e[0] + e[1] * e[1]) / dot(e, e)))
 
 
 @kernel
