@@ -18,6 +18,7 @@ from moorings import again, at_rest, fixed, free, held, joint, kind, line
 
 from moorage.layout import Weights
 from moorage.model import Model, Point
+from moorage.physics.rigid import SLENDER
 from moorage.solve.newton import assemble_island, largest_imbalance
 from moorage.system.attach import copy_free_ends
 from moorage.system.build import Built
@@ -98,7 +99,7 @@ def unknowns(built: Built) -> np.ndarray:
     ptr, islands = built.names.node_ptr, built.system.islands
     inside = np.setdiff1d(np.arange(ptr[-1]), np.concatenate([ptr[:-1], ptr[1:] - 1]))
     first = built.system.lines.node_ptr[-1]
-    loose = [first + p for p in islands.points if built.system.riders.of_point[p] < 0]
+    loose = [first + p for p in islands.points if built.system.riders.points[p] < 0]
     objects = np.concatenate([built.system.riders.row, built.system.riders.row + 1])
     return np.unique(np.concatenate([inside, loose, objects]).astype(int))
 
@@ -108,7 +109,7 @@ def shaken(model: Model) -> Built:
     random = np.random.default_rng(5)
     rows = np.setdiff1d(unknowns(built), built.system.riders.row[built.system.riders.pin >= 0])
     built.state.position[rows] += random.normal(0.0, 0.05, (len(rows), 3))
-    turned = built.system.riders.row[built.system.rigid.slender] + 1
+    turned = built.system.riders.row[built.system.rigid.table[:, SLENDER] > 0.0] + 1
     built.state.position[turned, 0] = 0.0  # rods do not spin
     settle(built)
     for o in range(len(built.system.riders.row)):
@@ -126,7 +127,7 @@ def imbalance(built: Built, c: Weights) -> np.ndarray:
         assemble_island(built.system, built.state, built.state, built.work, island, c, 0.0)
         largest_imbalance(built.system, built.state, built.work, island, c)
     force = built.work.force.copy()
-    force[built.system.riders.row[built.system.rigid.slender] + 1, 0] = 0.0
+    force[built.system.riders.row[built.system.rigid.table[:, SLENDER] > 0.0] + 1, 0] = 0.0
     return force[unknowns(built)]
 
 

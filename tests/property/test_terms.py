@@ -663,7 +663,8 @@ def test_contact_fraction_is_continuous_at_touch_down(before):
 # --- points ---------------------------------------------------------------------------------------------------------
 
 LOADS = PointLoads(
-    *(np.array([x]) for x in (500.0, 300.0, -4905.0, 917.4, 9000.0, 250.0, 0.6)), np.array([[10.0, -20.0, 5.0]])
+    *(np.array([x]) for x in (500.0, 300.0, -4905.0, 917.4, 9000.0, 250.0, 0.6)),
+    np.array([[[10.0, -20.0, 5.0], [30.0, 0.0, 50.0], [0.0, 70.0, 20.0]]]),
 )
 STREAM = 0.0, (0.4, -0.2, 0.1), (0.3, 0.1, -0.2)  # elevation, velocity and acceleration of the water
 
