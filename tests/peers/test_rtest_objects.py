@@ -5,8 +5,10 @@
   MoorDyn-F's rules they give its results to the digits that it prints, with ours ours, to what their nodes and steps
   differ by. Its waterplane turns the float upright a tenth too strongly (a cut cylinder has a closed form), and the
   centripetal forces that it counts twice press the float up.
-* md_BodiesAndRods: a body of 1000 t with a vertical rod of 10 m in diameter falls 2 m until the water takes it. Until then
-  both are the same. Its three slack lines then snap, each after another history.
+* md_BodiesAndRods: a body of 1000 t with rods of 10 m in diameter falls 2 m until the water takes it. MoorDyn-F reads the
+  columns of line types by their place (Cd Ca CdAx CaAx), whatever their heading says; ours go by the heading, which in
+  this file is Can Cat Cdn Cdt. With its numbers the tensions are the same until the rods reach the water, and then part
+  with the rods' rules.
 """
 
 from __future__ import annotations
@@ -34,11 +36,11 @@ def stored(reference, case: str) -> dict[str, np.ndarray]:
     return dict(zip(names, np.loadtxt(path, delimiter=",", skiprows=1).T, strict=True))
 
 
-def ours(reference, case: str, duration: float, tolerance: float = 1e-4) -> dict[str, np.ndarray]:
+def ours(reference, case: str, duration: float, change=lambda model: model) -> dict[str, np.ndarray]:
     """Records of a run that starts as given, each 0.1 s, from time 0."""
-    built = build(dataclasses.replace(read(reference / "r-test" / case / "moordyn.dat"), outputs=()))
+    built = build(change(dataclasses.replace(read(reference / "r-test" / case / "moordyn.dat"), outputs=())))
     rest(built)
-    march = March(built, Settings(dt_out=0.1, tolerance=tolerance), duration)
+    march = March(built, Settings(dt_out=0.1, tolerance=1e-4), duration)
     first, block = march.first(), march.advance(duration)
     return {name: np.concatenate([first[name], values]) for name, values in block.items()}
 
@@ -83,8 +85,8 @@ def test_float_of_ours_in_its_own_equations(reference):
     """With both of our rules it is ours; either rule of MoorDyn-F makes a difference of ten times that and more."""
     block = ours(reference, "md_float", DURATION)
     pitch, heave = float_errors(block, moordyn_water=False, moordyn_kinematics=False)
-    assert pitch < 0.1
-    assert heave < 0.01
+    assert pitch < 0.05
+    assert heave < 0.005
     assert float_errors(block, moordyn_water=True, moordyn_kinematics=False)[0] > 2.0
     assert float_errors(block, moordyn_water=False, moordyn_kinematics=True)[1] > 0.1
 
@@ -104,7 +106,25 @@ def test_float_turns_upright_as_a_cut_cylinder_does():
     assert loads(state, True, False)[0][2] / moment == pytest.approx(1.1, abs=0.015)
 
 
+def by_place(model):
+    """The model with the hydrodynamics of its line type as MoorDyn-F reads them: in the order Cd Ca CdAx CaAx."""
+    (t,) = model.line_types
+    order = t.transverse_added_mass, t.tangential_added_mass, t.transverse_drag, t.tangential_drag
+    names = "transverse_drag", "transverse_added_mass", "tangential_drag", "tangential_added_mass"
+    return dataclasses.replace(model, line_types=(dataclasses.replace(t, **dict(zip(names, order, strict=True))),))
+
+
 def test_bodies_and_rods_until_the_water_takes_them(reference):
     theirs = stored(reference, "md_BodiesAndRods")
-    block = ours(reference, "md_BodiesAndRods", 1.0, 1e-3)
-    assert error(block["time"], block["body_position"][:, 0, 2], theirs, "BODY1PZ", 0.6) < 5e-3
+    block = ours(reference, "md_BodiesAndRods", 2.0, change=by_place)
+    for k in range(3):
+        tension = np.linalg.norm(block["end_load"][:, k, 1], axis=-1)
+        assert error(block["time"], tension, theirs, f"FAIRTEN{k + 1}", 0.5) < 5e-3
+    assert error(block["time"], block["body_position"][:, 0, 2], theirs, "BODY1PZ", 2.0) < 5e-3
+
+
+def test_columns_by_their_heading_are_not_those_of_moordyn(reference):
+    theirs = stored(reference, "md_BodiesAndRods")
+    block = ours(reference, "md_BodiesAndRods", 0.5)
+    tension = np.linalg.norm(block["end_load"][:, 0, 1], axis=-1)
+    assert error(block["time"], tension, theirs, "FAIRTEN1", 0.5) > 0.5
