@@ -9,6 +9,8 @@
   columns of line types by their place (Cd Ca CdAx CaAx), whatever their heading says; ours go by the heading, which in
   this file is Can Cat Cdn Cdt. With its numbers the tensions are the same until the rods reach the water, and then part
   with the rods' rules.
+* md_lineFail: a free rod between four lines that come off its ends and a point one after another. Line 3 holds 2 MN, more
+  than the 100 kN of its failure, which MoorDyn-F therefore has at once: here it is one at 1 ms.
 """
 
 from __future__ import annotations
@@ -22,8 +24,8 @@ from beside import read
 from planar_float import FLOAT, RHO, START, G, loads, run
 
 from moorage.solve.march import March, Settings
-from moorage.solve.statics import rest
-from moorage.system.build import build
+from moorage.solve.statics import rest, solve
+from moorage.system.build import build, build_failures
 
 pytestmark = pytest.mark.peers
 DURATION = 6.0  # of the float, s
@@ -128,3 +130,23 @@ def test_columns_by_their_heading_are_not_those_of_moordyn(reference):
     block = ours(reference, "md_BodiesAndRods", 0.5)
     tension = np.linalg.norm(block["end_load"][:, 0, 1], axis=-1)
     assert error(block["time"], tension, theirs, "FAIRTEN1", 0.5) > 0.5
+
+
+def test_lines_that_come_off_a_rod(reference):
+    """Rms of the difference over that of the way that the line ends go, in 20 s; from 10 s on they fall freely."""
+    theirs = stored(reference, "md_lineFail")
+    model = read(reference / "r-test" / "md_lineFail" / "moordyn.dat")
+    failures = tuple(dataclasses.replace(f, tension=0.0, time=1e-3 if f.tension else f.time) for f in model.failures)
+    model = dataclasses.replace(model, failures=failures, outputs=())
+    built = build(model)
+    solve(built)
+    march = March(built, Settings(dt_out=0.1, dt_nodes=0.1), 20.0, build_failures(model, None, 20.0))
+    first, block = march.first(), march.advance(20.0)
+    assert first["end_tension"][0, 2, 1] > 1e5
+    for k in (1, 2):
+        end = block["node_position"][:, built.names.node_ptr[k + 1] - 1]
+        for axis, letter in ((0, "X"), (2, "Z")):
+            expected = np.interp(block["node_time"], theirs["Time"], theirs[f"LINE{k + 1}NBP{letter}"])
+            rows = block["node_time"] < 19.95
+            miss = np.sqrt(np.mean((end[rows, axis] - expected[rows]) ** 2))
+            assert miss < 5e-3 * np.ptp(expected), (k, letter, miss / np.ptp(expected))
