@@ -1,6 +1,6 @@
 """Rods and bodies beside MoorDyn-C itself, on the decks of its own tests.
 
-AddedMass: a buoyant rod without drag rises 10 m under a constant force: z = a t^2 / 2 in both. bodyDrag: a body on a
+AddedMass: a buoyant rod without drag rises under a constant force: z = a t^2 / 2, to rounding in both. bodyDrag: a body on a
 spring, turned by 90 degrees about y, falls with a CdA of 0.1 m2: MoorDyn-C's step of 2 ms (RK2) leaves 1e-4. RodHanging is
 not compared: MoorDyn-C gives a free rod its first attitude by the place of end B alone, so that a rod that hangs
 between two equal ropes leans there; ours stays level, as the symmetry has it.
@@ -33,10 +33,11 @@ def beside(reference, tmp_path, deck: str, duration: float):
 
 def test_rising_rod(reference, tmp_path):
     theirs, block = beside(reference, tmp_path, "rod_tests/AddedMass.txt", 2.0)
-    assert np.abs(block["rod_position"][:, 0, :, 2] - theirs["rod_position"][:, 0, :, 2]).max() < 1e-4
+    # until its first step MoorDyn-C has end B elsewhere
+    assert np.abs(block["rod_position"][1:, 0] - theirs["rod_position"][1:, 0]).max() < 1e-9
     mass, water = 100.0, 1025.0 * np.pi / 4.0 * 0.5**2
     expected = -10.0 + 0.5 * 9.80665 * (water - mass) / (water + mass) * block["time"] ** 2
-    assert np.abs(block["rod_position"][:, 0, 0, 2] - expected).max() < 1e-4
+    assert np.abs(block["rod_position"][:, 0, 0, 2] - expected).max() < 1e-9
 
 
 def test_body_with_drag(reference, tmp_path):

@@ -28,8 +28,10 @@ import numpy as np
 import pytest
 from common import must_fail
 from floats import SPAR, WATER, body, floating, rod
-from moorings import DENSITY, GRAVITY, fixed, held, kind, line, run, statics
+from moorings import DENSITY, GRAVITY, at_rest, fixed, held, kind, line, run, statics
 from scipy.optimize import brentq
+
+from moorage.model import RodType
 
 AREA, RADIUS, LENGTH, DEPTH = np.pi / 4.0 * SPAR.diameter**2, 0.5 * SPAR.diameter, 10.0, 4.0
 
@@ -127,3 +129,14 @@ def test_draught_of_a_spar():
 
 def test_draught_in_fresh_water_fails():
     must_fail(check_draught, 1000.0)
+
+
+@pytest.mark.parametrize(("tilt", "wet"), [(0.0, False), (0.3, False), (0.6, True)])
+def test_a_thick_rod_above_the_water_is_dry_until_its_edge_is_in(tilt, wet):
+    """End A is 2 m above the water, its face reaches 5 m sin(tilt) below its middle."""
+    thick = RodType(name="spar", diameter=10.0, mass_per_length=1000.0)
+    end = np.array([LENGTH * np.sin(tilt), 0.0, 2.0 + LENGTH * np.cos(tilt)])
+    model = floating(rods=(rod(1, "free", (0.0, 0.0, 2.0), end),), types=thick)
+    force = run(at_rest(model), 0.1, dt_out=0.1)["rod_force"][0, 0]
+    assert (force[2] > -1000.0 * LENGTH * GRAVITY * (1.0 - 1e-12)) == wet
+    assert force[2] < 0.0
