@@ -128,7 +128,7 @@ def side_by_side(effort: Effort) -> Part:
     for site in sites():
         numbers[site.name], bare = {}, None
         for name, law in laws(site).items():
-            ds, cpu = ours(site.model(law), motion, DURATION, 0.25, dt_nodes=0.25)
+            ds, cpu = ours(site.model(law), motion, DURATION, 0.25, dt_nodes=0.25, tolerance=TOLERANCE)
             late = ds["time"].values >= COUNTED
             anchor, top = ds["anchor_tension"].sel(line=1).values[late] / 1e3, fairlead(ds)[late]
             found = {
