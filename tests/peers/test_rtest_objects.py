@@ -25,7 +25,7 @@ from planar_float import FLOAT, RHO, START, G, loads, run
 
 from moorage.solve.march import March, Settings
 from moorage.solve.statics import rest, solve
-from moorage.system.build import build, build_failures
+from moorage.system.build import build, releases_of
 
 pytestmark = pytest.mark.peers
 DURATION = 6.0  # of the float, s
@@ -136,11 +136,10 @@ def test_lines_that_come_off_a_rod(reference):
     """Rms of the difference over that of the way that the line ends go, in 20 s; from 10 s on they fall freely."""
     theirs = stored(reference, "md_lineFail")
     model = read(reference / "r-test" / "md_lineFail" / "moordyn.dat")
-    failures = tuple(dataclasses.replace(f, tension=0.0, time=1e-3 if f.tension else f.time) for f in model.failures)
-    model = dataclasses.replace(model, failures=failures, outputs=())
+    model = dataclasses.replace(model, outputs=())
     built = build(model)
     solve(built)
-    march = March(built, Settings(dt_out=0.1, dt_nodes=0.1), 20.0, build_failures(model, None, 20.0))
+    march = March(built, Settings(dt_out=0.1, dt_nodes=0.1), 20.0, releases_of(model, None, 20.0))
     first, block = march.first(), march.advance(20.0)
     assert first["end_tension"][0, 2, 1] > 1e5
     for k in (1, 2):

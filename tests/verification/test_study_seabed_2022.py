@@ -197,6 +197,7 @@ def test_laws_side_by_side(stored):
         laws.drift_and_waves(laws.DURATION),
         laws.DURATION,
         dt_nodes=0.25,
+        tolerance=laws.TOLERANCE,
     )
     late = ds["time"].values >= laws.COUNTED
     assert ds["anchor_tension"].sel(line=1).values[late].mean() / 1e3 == pytest.approx(springs[0], rel=0.005)
