@@ -6,9 +6,10 @@ import warnings
 
 import numpy as np
 
-from moorage.errors import InputError, ModelWarning, Problem
+from moorage.errors import InputError, ModelError, ModelWarning, Problem
 from moorage.model import Model
 from moorage.model.checks import check, suspicious
+from moorage.model.inertia import objects_have_inertia
 from moorage.model.unbuilt import refuse_unbuilt
 
 
@@ -16,6 +17,8 @@ def accept(model: Model) -> None:
     """Refuse a model that is wrong or asks for what is not built, and warn of what looks like a mistake."""
     check(model)
     refuse_unbuilt(model)
+    if lacking := list(objects_have_inertia(model)):
+        raise ModelError(lacking)
     if model.unused_options:
         names = ", ".join(option.name for option in model.unused_options)
         warnings.warn(f"{model.file}: options that are not used here: {names}", ModelWarning, stacklevel=3)

@@ -8,6 +8,7 @@ import pytest
 from floats import AIR, SPAR, WATER, body, floating, rod
 from moorings import fixed, held, kind, line
 
+from moorage.accept import accept
 from moorage.errors import ModelError, Source
 from moorage.io import read
 from moorage.model import Attachment, Failure, Model, Point, RodType
@@ -64,7 +65,7 @@ LACKING = {
 def test_what_moves_has_inertia(name):
     model, message = LACKING[name]
     with pytest.raises(ModelError) as caught:
-        check(model)
+        accept(model)
     assert str(caught.value).startswith("model.dat:12: ")
     assert message in str(caught.value)
     assert "or hold it (fixed, coupled)" in str(caught.value)
@@ -91,7 +92,7 @@ HELD = {
 
 @pytest.mark.parametrize("name", HELD)
 def test_what_has_inertia_is_let_pass(name):
-    check(HELD[name])
+    accept(HELD[name])
 
 
 def test_lack_of_inertia_is_not_judged_where_names_are_wrong():

@@ -9,8 +9,6 @@ from moorage.io import read
 from moorage.model import (
     Attachment,
     Control,
-    ExternalLoad,
-    Failure,
     OutputChannel,
     Point,
     Rod,
@@ -58,14 +56,10 @@ CASES = {
     "vortex-induced vibration is": _with_type(lift_coefficient=0.8),
     "waves of WaveKin 6 are": _around(unread_water=UnreadWater(option="WaveKin", value="6", source=AT)),
     "currents of Currents 4 are": _around(unread_water=UnreadWater(option="Currents", value="4", source=AT)),
-    "failures at a tension are": lambda m: dataclasses.replace(
-        m, failures=(Failure(id=1, attachment=m.lines[0].end_a, lines=(1,), tension=1e6, source=AT),)
-    ),
     "controlled lengths are": _with(controls=(Control(channel=1, lines=(1,), source=AT),)),
-    "this of a body is": _with(
-        outputs=(OutputChannel(name="BODY1MX", source=AT), OutputChannel(name="BODY1PX", source=AT))
+    "forces and accelerations of nodes of rods are": _with(
+        outputs=(OutputChannel(name="ROD1N2FX", source=AT), OutputChannel(name="ROD1PX", source=AT))
     ),
-    "external loads are": _with(external_loads=(ExternalLoad(id=1, target="point", target_id=1, source=AT),)),
 }
 
 

@@ -30,7 +30,6 @@ from moorage.model.channels import parse_channel
 from moorage.model.components import Attachment, Curve, Line, LineType
 from moorage.model.current_grid import CurrentGrid
 from moorage.model.environment import Bathymetry, FrictionMap, StiffnessMap
-from moorage.model.inertia import objects_have_inertia
 from moorage.model.model import Model
 from moorage.model.seabed import below_seabed
 from moorage.model.water_checks import current_is_possible, steep_waves, waves_are_given_once, waves_are_possible
@@ -376,7 +375,6 @@ CHECKS: tuple[Check, ...] = (
     springs_are_possible,
     sections_are_graded_well,
     free_points_are_held,
-    objects_have_inertia,
     events_name_what_exists,
     channels_exist,
     anchors_are_not_buried,
@@ -389,7 +387,6 @@ REFERRING: tuple[Check, ...] = (
     clamps_face_their_lines,
     joints_are_joints,
     free_points_are_held,
-    objects_have_inertia,
     events_name_what_exists,
     channels_exist,
 )

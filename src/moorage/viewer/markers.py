@@ -5,8 +5,7 @@ from __future__ import annotations
 import numpy as np
 import xarray as xr
 
-from moorage.model import Attachment, Model
-from moorage.system.holders import holders_of
+from moorage.model import Model
 from moorage.viewer.quantities import line_starts
 from moorage.viewer.times import interpolated
 
@@ -55,17 +54,15 @@ def line_reach(position: np.ndarray, starts: np.ndarray) -> float:
 
 
 def rods(ds: xr.Dataset, model: Model | None, time: np.ndarray) -> tuple[np.ndarray, list[dict]]:
-    """Return both ends (frames, 2 rods, 3) of rods, and their names; of a model those that its result does not hold."""
+    """Return both ends (frames, 2 rods, 3) of the rods that have a length, and their names."""
     if "rod_position" in ds:
-        ends = interpolated(ds["rod_position"].values, ds["time"].values, time)
-        return ends.reshape(len(time), -1, 3), [{"name": f"rod {int(id)}"} for id in ds["rod"].values]
-    long = [rod for rod in model.rods if rod.segments] if model else []
-    if not long or model is None:
-        return np.empty((len(time), 0, 3)), []
-    held = holders_of(model, None, None)
-    rows = [held.number[Attachment("rod", rod.id, end)] for rod in long for end in ("A", "B")]  # type: ignore[arg-type]
-    names = [{"name": _named("rod", rod.id, rod.name)} for rod in long]
-    return np.repeat(held.rest[None, rows], len(time), axis=0), names
+        places = ds["rod_position"].values
+        long = np.flatnonzero((places[0, :, 0] != places[0, :, 1]).any(axis=-1))  # the others are marks
+        ends = interpolated(places[:, long], ds["time"].values, time)
+        described = {rod.id: rod.name for rod in model.rods} if model else {}
+        names = [{"name": _named("rod", int(id), described.get(int(id), ""))} for id in ds["rod"].values[long]]
+        return ends.reshape(len(time), -1, 3), names
+    return np.empty((len(time), 0, 3)), []
 
 
 def bodies(ds: xr.Dataset, time: np.ndarray) -> tuple[np.ndarray, list[dict]]:
