@@ -11,7 +11,7 @@ import numpy as np
 from moorage.errors import ConvergenceError, MoorageError, SimulationError
 from moorage.moordyn import codes
 from moorage.moordyn.changes import option
-from moorage.moordyn.coupling import coupled_objects
+from moorage.solve.coupling import coupled_objects
 from moorage.moordyn.handles import Body, Line, Point, Rod, dof_vector, live, pick, raising, to_tuple
 from moorage.moordyn.log import HEADS
 from moorage.moordyn.states import load_initial
