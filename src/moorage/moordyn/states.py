@@ -22,6 +22,7 @@ from moorage.layout import State, copy_of
 from moorage.moordyn.handles import live, raising
 from moorage.moordyn.system import System
 from moorage.solve.statics import solve
+from moorage.system.build import Built
 from moorage.system.objects import objects_of
 
 HEAD = b"MoorDyn" + bytes([2, 7])
@@ -98,10 +99,8 @@ def carrier_row(system: System, kind: str, place: int, o: int) -> np.ndarray:
             out[0, :3], out[0, 7:10] = state.position[row], state.velocity[row]
         out[0, 3:7] = Rotation.from_matrix(R @ described_turn(system, o).T).as_quat()
         out[0, 10:] = R @ state.velocity[row + 1]
-    elif kind == "rod" and (holder := int(built.rods.ends[place, 0])) in built.system.islands.points:
-        if built.system.riders.points[holder] < 0:  # a joint of lines
-            row = int(built.system.lines.node_ptr[-1]) + holder
-            out[0, :3], out[0, 6], out[0, 7:10] = state.position[row], 1.0, state.velocity[row]
+    elif kind == "rod" and (row := joint_row(built, place)) >= 0:
+        out[0, :3], out[0, 6], out[0, 7:10] = state.position[row], 1.0, state.velocity[row]
     return out
 
 
@@ -115,10 +114,15 @@ def put_carrier(system: System, state: State, kind: str, place: int, o: int, val
         R = Rotation.from_quat(values[3:7]).as_matrix() @ described_turn(system, o)
         state.frames[:, o] = R.ravel()
         state.position[row + 1], state.velocity[row + 1] = 0.0, R.T @ values[10:]
-    elif kind == "rod" and (holder := int(built.rods.ends[place, 0])) in built.system.islands.points:
-        if built.system.riders.points[holder] < 0:
-            row = int(built.system.lines.node_ptr[-1]) + holder
-            state.position[row], state.velocity[row] = values[:3], values[7:10]
+    elif kind == "rod" and (row := joint_row(built, place)) >= 0:
+        state.position[row], state.velocity[row] = values[:3], values[7:10]
+
+
+def joint_row(built: Built, place: int) -> int:
+    """Return the state row of a free rod of no length, which joins lines; -1: the rod is none."""
+    holder = int(built.rods.ends[place, 0])
+    joins = holder in built.system.islands.points and built.system.riders.points[holder] < 0
+    return int(built.system.lines.node_ptr[-1]) + holder if joins else -1
 
 
 def described_turn(system: System, o: int) -> np.ndarray:

@@ -16,9 +16,9 @@ from moorage.model import Attachment, Failure
 from moorage.model.checks import check
 from moorage.moordyn.changes import broken, option, with_line, without_host_parts
 from moorage.moordyn.codes import LEVEL_ERR, LEVEL_MSG, LEVEL_WRN
-from moorage.solve.coupling import Coupling, described
 from moorage.moordyn.log import Log
 from moorage.moordyn.text import Text
+from moorage.solve.coupling import Coupling, described
 from moorage.solve.host import HostMarch
 from moorage.solve.march import Block, Settings, control_of
 from moorage.solve.parts import node_force_part, node_masses
@@ -178,9 +178,11 @@ class System:
         return self.coupling.forces(self.host, self.host._forces(self.time))
 
     def body_motion(self, place: int) -> tuple[np.ndarray, np.ndarray]:
-        """Return position with angles (m, rad) of a body by its place, and velocity with that of rotation, (6,) each."""
+        """Return position with angles (m, rad) of a body by its place, and velocity with spin, (6,) each."""
         block = self.block
-        return np.concatenate([block["body_position"][place], block["body_rotation"][place]]), block["body_velocity"][place]
+        return np.concatenate([block["body_position"][place], block["body_rotation"][place]]), block["body_velocity"][
+            place
+        ]
 
     def rod_motion(self, place: int) -> tuple[np.ndarray, np.ndarray]:
         """Return where the ends of a rod are and how they move, (2, 3) each, m and m/s."""

@@ -174,7 +174,7 @@ class HostMarch:
         return self.march.block(record, len(record.time), len(record.node_time))
 
     def reactions(self) -> Block:
-        """Return `rod_force` and `body_force` (1, n, 6) at the present time, see `moorage.solve.reactions`, N and N m."""
+        """Return `rod_force` and `body_force` (1, n, 6) now, see `moorage.solve.reactions`, N and N m."""
         return self.march.reactions(self._record)
 
     def motion_of(self, row: int) -> np.ndarray:

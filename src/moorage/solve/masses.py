@@ -1,7 +1,7 @@
 """Mass matrices (6, 6) of rods and bodies with all that they carry: mass and added mass, about their reference point.
 
-Rows are force and moment, columns acceleration and angular acceleration, all in global axes. What rods and bodies have by
-themselves is read off their loads, which are linear in the acceleration.
+Rows are force and moment, columns acceleration and angular acceleration, all in global axes. What rods and bodies have
+by themselves is read off their loads, which are linear in the acceleration.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from moorage.system.build import Built
 
 
 def rod_mass(built: Built, nodes: np.ndarray, now: Block, k: int, time: float) -> np.ndarray:
-    """Return the mass of rod k about its end A; nodes: `node_masses`, now: the block of one instant without its axis."""
+    """Return the mass of rod k about its end A; nodes: `node_masses`, now: the block of an instant, without its axis."""
     block, times = {name: values[None] for name, values in now.items()}, np.array([time])
 
     def load(acceleration: np.ndarray) -> np.ndarray:
