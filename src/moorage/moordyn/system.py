@@ -43,6 +43,8 @@ class System:
         Of the mooring's own clock, s: 0 at `initialize`, then the sum of the steps.
     pose, rate : (dof,) array
         Coupled degrees of freedom at the end of the last step, m and rad, and their rates.
+    mean : (dof,) array
+        Rates over the last step.
     """
 
     def __init__(self, path: str | Path):
@@ -63,6 +65,7 @@ class System:
         self.text: Text | None = None
         self._build(build(self.model))
         self.pose, self.rate = described(self.model), np.zeros(self.coupling.size)
+        self.mean = self.rate
 
     def _build(self, built: Built) -> None:
         self.host = HostMarch(built, SETTINGS)
@@ -129,7 +132,7 @@ class System:
         self.host.initialize(position, velocity, static)
         if self.step_max is not None:
             self.limit_step(self.step_max)
-        self.pose, self.rate = pose, rate
+        self.pose, self.rate, self.mean = pose, rate, rate
         self._forget()
         if option(self.model, "disableOutput", "0").lower() not in ("1", "true"):
             self.text = Text(self.path, self.model, self.built)
@@ -142,7 +145,11 @@ class System:
         self._forget()
 
     def step(self, pose: np.ndarray, rate: np.ndarray, dt: float) -> np.ndarray:
-        """Go on by dt (s); the coupled objects go in straight lines (and angles) from where they are to pose + dt rate.
+        """Go on by dt (s); the coupled objects go from where they are to pose + dt rate.
+
+        Points go in straight lines, so that their velocity jumps from step to step as MoorDyn's does. Where bodies or
+        rods are coupled, all velocities are continuous, for their mass feels each jump: that at the end of the step is
+        extrapolated from the means of this step and the last.
 
         Returns
         -------
@@ -153,15 +160,17 @@ class System:
         mean = (target - self.pose) / dt
         host, before = self.host, (self.host.velocity, [line.length for line in self.model.lines])
         self._pay_out({line: speed * dt for line, speed in self.pay_out.items()})
-        host.velocity = self.coupling.at(self.pose, mean)[1]  # MoorDyn's velocity jumps from step to step
+        rate = mean + 0.5 * (mean - self.mean) if self.coupling.carries else mean
+        if not self.coupling.carries:
+            host.velocity = self.coupling.at(self.pose, mean)[1]
         self._set_water()
         try:
-            force = host.step(host.time + dt, *self.coupling.at(target, mean))
+            force = host.step(host.time + dt, *self.coupling.at(target, rate))
         except SimulationError:
             host.velocity = before[0]
             self._pay_out({line: before[1][line] - self.model.lines[line].length for line in self.pay_out})
             raise
-        self.pose, self.rate = target, mean
+        self.pose, self.rate, self.mean = target, rate, mean
         self._forget()
         broke = self._break_lines()
         if self.text is not None:
@@ -286,7 +295,7 @@ class System:
         """Return everything that `restore` needs."""
         host = self.host.save()
         lengths = np.array([line.length for line in self.model.lines])
-        return host | {"pose": self.pose, "rate": self.rate, "length": lengths}
+        return host | {"pose": self.pose, "rate": self.rate, "mean": self.mean, "length": lengths}
 
     def restore(self, saved: Block) -> None:
         """Go back to a saved state of the same system, bit for bit."""
@@ -300,7 +309,7 @@ class System:
             if length != self.model.lines[k].length:
                 self.change_line(k, length=float(length))
         self.host.restore({name: saved[name] for name in now})
-        self.pose, self.rate = saved["pose"].copy(), saved["rate"].copy()
+        self.pose, self.rate, self.mean = (saved[name].copy() for name in ("pose", "rate", "mean"))
         self._forget()
 
     def set_state(self, state: State) -> None:

@@ -37,6 +37,8 @@ class Coupling:
         The coupled objects in the order of the vector.
     size : int
         Number of degrees of freedom.
+    carries : bool
+        Whether there are rods or bodies among them.
     """
 
     def __init__(self, model: Model, built: Built, driven: np.ndarray):
@@ -56,6 +58,7 @@ class Coupling:
         self._points = {id: (row, int(driven[row])) for id, row in holder.items()}
         self._carriers = {("body", body.id): k for k, body in enumerate(model.bodies) if body.kind in MOVED}
         self._carriers |= {("rod", r.id): k for k, r in enumerate(model.rods) if r.kind in MOVED and r.body is None}
+        self.carries = bool(self._carriers)
         p = built.system.points
         self._loaded = (p.mass != 0.0) | (p.buoyancy != 0.0) | (p.drag != 0.0) | p.given.any(axis=(1, 2))
 
@@ -80,7 +83,7 @@ class Coupling:
             inertia of the objects themselves are added, and of all that they carry.
         """
         out, now = np.zeros(self.size), np.array([host.time])
-        loads = host.reactions() if self._carriers else {}
+        loads = host.reactions() if self.carries else {}
         for (kind, id, width), first in zip(self.owners, self.starts[:-1], strict=True):
             if kind == "point":
                 row, holder = self._points[id]

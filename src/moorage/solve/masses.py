@@ -17,7 +17,10 @@ from moorage.system.build import Built
 
 
 def rod_mass(built: Built, nodes: np.ndarray, now: Block, k: int, time: float) -> np.ndarray:
-    """Return the mass of rod k about its end A; nodes: `node_masses`, now: the block of an instant, without its axis."""
+    """Return the mass of rod k about its end A.
+
+    nodes: `node_masses`; now: the block of one instant, without its axis of time.
+    """
     block, times = {name: values[None] for name, values in now.items()}, np.array([time])
 
     def load(acceleration: np.ndarray) -> np.ndarray:
@@ -25,7 +28,8 @@ def rod_mass(built: Built, nodes: np.ndarray, now: Block, k: int, time: float) -
         rates[0, k] = acceleration
         return rod_load(built, block | {"rod_acceleration": rates}, k, times)[0]
 
-    return slope(load) + nodes_of_rod(built, nodes, k, now["rod_position"][k, 0])
+    origin = now["rod_position"][k, 0]
+    return slope(load) + nodes_of_rod(built, nodes, k, origin) + line_ends(built, nodes, built.rods.ends[k], origin)
 
 
 def body_mass(built: Built, nodes: np.ndarray, now: Block, k: int, time: float) -> np.ndarray:
@@ -43,7 +47,7 @@ def body_mass(built: Built, nodes: np.ndarray, now: Block, k: int, time: float) 
             return np.concatenate([point_load(built, holder, motion, times)[0], np.zeros(3)])
 
         total += moved(slope(load)[:3, :3], place - origin)
-    return total
+    return total + line_ends(built, nodes, built.bodies.holders[k], origin)
 
 
 def slope(load: Callable[[np.ndarray], np.ndarray]) -> np.ndarray:
@@ -58,6 +62,13 @@ def nodes_of_rod(built: Built, nodes: np.ndarray, k: int, origin: np.ndarray) ->
         return np.zeros((6, 6))
     rows = np.arange(*built.system.lines.node_ptr[built.rods.line[k] : built.rods.line[k] + 2])
     return np.sum([moved(nodes[i], built.state.position[i] - origin) for i in rows], axis=0)
+
+
+def line_ends(built: Built, nodes: np.ndarray, holders: np.ndarray, origin: np.ndarray) -> np.ndarray:
+    """Return the mass of the end nodes of all lines on some points and ends of rods, about a place, m."""
+    ends, ptr = built.system.lines.end_point[: len(built.names.lines)], built.names.node_ptr
+    rows = [ptr[line + end] - end for line, end in np.argwhere(np.isin(ends, holders))]
+    return np.sum([np.zeros((6, 6))] + [moved(nodes[i], built.state.position[i] - origin) for i in rows], axis=0)
 
 
 def moved(mass: np.ndarray, arm: np.ndarray) -> np.ndarray:
