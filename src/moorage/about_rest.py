@@ -8,7 +8,7 @@ from importlib.metadata import version
 import xarray as xr
 
 from moorage.accept import accept
-from moorage.errors import InputError, ModelWarning, Problem
+from moorage.errors import InputError, ModelWarning, Problem, UnsupportedError
 from moorage.model import Model
 from moorage.results import make_index, run_attributes
 from moorage.results.modes import modes_dataset, platforms_dataset
@@ -54,12 +54,31 @@ def stiffness(model: Model) -> xr.Dataset:
         `platform_stiffness` (platform, dof, platform_, dof_), N/m, N/rad, N m/rad: minus the load on a platform by the
         motion of one, about `platform_origin`.
     """
+    _refuse_pinned(model)
     platforms = platforms_of(model)
     if not platforms:
         remedy = "make a body, rod or point coupled"
         raise InputError(Problem("nothing is coupled, so that there is nothing to be stiff against", remedy))
     built, attrs = _at_rest(model)
     return platforms_dataset(platforms, stiffness_of(built, platforms), attrs)
+
+
+def _refuse_pinned(model: Model) -> None:
+    """Raise for what hangs from a coupled pin: the pin's force is not among those that stiffness is taken from."""
+    coupled = {body.id for body in model.bodies if body.kind == "coupled"}
+    pinned = [("body", b) for b in model.bodies if b.kind == "coupled-pinned"]
+    pinned += [("rod", r) for r in model.rods if r.segments and r.kind == "coupled-pinned"]  # type: ignore[misc]
+    pinned += [("rod", r) for r in model.rods if r.segments and r.kind == "pinned" and r.body in coupled]  # type: ignore[misc]
+    problems = [
+        Problem(
+            f"{kind} {thing.id} hangs from a coupled pin, whose stiffness is not computed",
+            "make it fixed",
+            thing.source,
+        )
+        for kind, thing in pinned
+    ]
+    if problems:
+        raise UnsupportedError(problems)
 
 
 def _at_rest(model: Model) -> tuple[Built, dict]:

@@ -44,6 +44,7 @@ from moorage.simulation import Simulation
 from moorage.solve.clamps import warn_of_clamps
 from moorage.solve.given_water import WaterFeed, WaterFunction
 from moorage.solve.march import March, Settings, default_tolerance
+from moorage.solve.platforms import Platform, measured
 from moorage.solve.statics import rest, solve
 from moorage.solve.stiffness import platform_stiffness
 from moorage.streaming import Progress, stream
@@ -74,7 +75,7 @@ def solve_statics(model: Model) -> xr.Dataset:
     equilibrium = solve(built)
     warn_of_clamps(built)
     block = records_at_rest(built, Settings(dt_nodes=1.0, watch=watch_list(model)))
-    stiffness = platform_stiffness(built, block["holder_force"][0][built.coupled])
+    stiffness = _stiffness(built, block["holder_force"][0][built.coupled])
     attrs = run_attributes(model, None, {"start": "static", **friction_in_statics(model)}, VERSION) | {
         "where": equilibrium.where
     }
@@ -84,6 +85,16 @@ def solve_statics(model: Model) -> xr.Dataset:
     warn_of_tight_bends(ds)
     warn_of_lines_off_the_grid(ds)
     return ds
+
+
+def _stiffness(built: Built, forces: np.ndarray) -> np.ndarray:
+    """Return the 6x6 stiffness of the coupled points as one; not a number where they hold pinned rods and bodies."""
+    if not len(built.system.riders.row):
+        return platform_stiffness(built, forces)
+    if np.isin(built.system.riders.pin, built.coupled).any():
+        return np.full((6, 6), np.nan)
+    platform = Platform("coupled points", built.coupled, np.zeros(3))
+    return measured(built, (platform,))[0, :, 0] if len(built.coupled) else np.zeros((6, 6))
 
 
 def simulate(

@@ -7,15 +7,23 @@ from typing import Literal
 import numpy as np
 
 from moorage.accept import accept, check_settings
-from moorage.errors import Problem, UnsupportedError
+from moorage.errors import Problem, SimulationError, UnsupportedError
 from moorage.model import Model
+from moorage.solve.coupling import Coupling, described
 from moorage.solve.host import HostMarch
 from moorage.solve.march import Block, Settings
 from moorage.system.build import build
 
 
 class Simulation:
-    """A mooring inside another program, which moves the coupled points and receives the forces on them.
+    """A mooring inside another program, which moves the coupled objects and receives the forces on them.
+
+    Where only points are coupled, positions, velocities and forces are arrays (m, 3). Coupled bodies and rods make them
+    vectors: all bodies, then rods, then points, in the order of the file, with the numbers that `degrees_of_freedom`
+    says: six for a body or rod (position, and intrinsic XYZ Euler angles in rad, and the rates of both), three for a
+    point and for what is pinned (coupled-pinned). Forces come back in the same order, moments about the origin of each
+    object in global axes, N and N m. Weight, buoyancy, drag and inertia of the objects are in them, and of all that
+    they carry.
 
     Parameters
     ----------
@@ -29,6 +37,8 @@ class Simulation:
     ----------
     points : (m,) int
         Ids of the coupled points, in the order of all arrays here.
+    degrees_of_freedom : tuple of (kind, id, width)
+        All coupled objects, in the order of the vectors: "body", "rod" or "point", id, how many numbers it takes.
 
     Examples
     --------
@@ -51,7 +61,6 @@ class Simulation:
         chosen = {"tolerance": tolerance, "time_step": time_step}
         check_settings({**chosen, "method": method}, False, None)
         accept(model)
-        _only_points_are_coupled(model)
         self._hosts_water = model.environment.host_waves or host_waves
         if self._hosts_water and model.environment.waves is not None:
             remedy = "remove them from the model, or leave host_waves out"
@@ -60,8 +69,12 @@ class Simulation:
             raise UnsupportedError(Problem("failures come in simulate() only", "remove them", model.failures[0].source))
         self.model = model
         built = build(model)
-        self.points = built.names.points[built.coupled]
         self._host = HostMarch(built, Settings(method=method, **chosen), self._hosts_water)  # type: ignore[arg-type]
+        self._coupling = Coupling(model, built, self._host.driven)
+        self.degrees_of_freedom = self._coupling.owners
+        self.points = np.array([id for kind, id, _ in self.degrees_of_freedom if kind == "point"], dtype=np.int64)
+        self._flat = len(self.points) < len(self.degrees_of_freedom)
+        self._pose = described(model)
 
     @property
     def time(self) -> float:
@@ -70,28 +83,52 @@ class Simulation:
 
     @property
     def position(self) -> np.ndarray:
-        """Positions of the coupled points, (m, 3), m."""
-        return self._host.position.copy()
+        """Positions of the coupled points, (m, 3), m; or the vector of all coupled objects, m and rad."""
+        return self._pose.copy() if self._flat else self._host.position.copy()
 
     def initialize(self, position=None, velocity=None) -> np.ndarray:
-        """Start at time 0 and return the forces of the mooring on the coupled points, (m, 3), N.
+        """Start at time 0 and return the forces of the mooring on the coupled points, (m, 3), N, or objects.
 
         Parameters
         ----------
-        position, velocity : (m, 3) array, optional
-            Of the coupled points, m and m/s; by default as described, at rest.
+        position, velocity : (m, 3) array or vector, optional
+            Of the coupled points, m and m/s, or objects; by default as described, at rest.
         """
-        return self._host.initialize(position, velocity, self.model.start == "static")
+        static = self.model.start == "static"
+        if not self._flat:
+            return self._host.initialize(position, velocity, static)
+        pose = described(self.model) if position is None else self._vector("position", position)
+        rate = np.zeros_like(pose) if velocity is None else self._vector("velocity", velocity)
+        pulls = self._host.initialize(*self._coupling.at(pose, rate), static)
+        self._pose = pose
+        return self._coupling.forces(self._host, pulls)
 
     def step(self, time: float, position, velocity) -> np.ndarray:
         """Advance to `time` (s), where the coupled points are at `position` with `velocity`; return the forces.
 
         Parameters
         ----------
-        position, velocity : (m, 3) array
-            m and m/s; on the way the points follow the cubic between the two ends.
+        position, velocity : (m, 3) array or vector
+            m and m/s, of objects also rad and rad/s (rates of the angles); on the way each coupled point, and each
+            point of a coupled object, follows the cubic between the two ends.
         """
-        return self._host.step(time, position, velocity)
+        if not self._flat:
+            return self._host.step(time, position, velocity)
+        pose, rate = self._vector("position", position), self._vector("velocity", velocity)
+        pulls = self._host.step(time, *self._coupling.at(pose, rate))
+        self._pose = pose
+        return self._coupling.forces(self._host, pulls)
+
+    def _vector(self, name: str, values) -> np.ndarray:
+        vector = np.array(values, dtype=float)
+        if vector.shape != self._pose.shape or not np.isfinite(vector).all():
+            wanted = ", ".join(f"{width} of {kind} {id}" for kind, id, width in self.degrees_of_freedom)
+            raise SimulationError(
+                f"{name}: expected {len(self._pose)} finite numbers ({wanted}), got an array of shape {vector.shape}"
+                + ("" if np.isfinite(vector).all() else " with NaN or inf in it"),
+                self.time,
+            )
+        return vector
 
     def water_nodes(self) -> np.ndarray:
         """Return where the water acts, (n, 3), m: nodes of the lines in the order of the file, points, ends of rods.
@@ -122,19 +159,9 @@ class Simulation:
 
     def save(self) -> Block:
         """Return the whole state as arrays."""
-        return self._host.save()
+        return self._host.save() | {"host_pose": self._pose.copy()}
 
     def restore(self, saved: Block) -> None:
         """Go back to a saved state, bit for bit."""
         self._host.restore(saved)
-
-
-def _only_points_are_coupled(model: Model) -> None:
-    things = [("body", body) for body in model.bodies if body.kind == "coupled"]
-    things += [("rod", rod) for rod in model.rods if rod.kind == "coupled"]  # type: ignore[misc]
-    problems = [
-        Problem(f"{kind} {thing.id} is coupled; hosts move points only", "use simulate() with a motion", thing.source)
-        for kind, thing in things
-    ]
-    if problems:
-        raise UnsupportedError(problems)
+        self._pose = saved["host_pose"].copy()

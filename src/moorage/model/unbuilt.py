@@ -87,7 +87,7 @@ def _channels(model: Model) -> Iterator[Problem]:
     for output in model.outputs:
         channel = parse_channel(output.name)
         if channel and channel.object == "rod" and channel.node is not None and channel.quantity[0] in "FA":
-            message = f"channel {output.name}: forces and accelerations of nodes of rods are not simulated"
+            message = f"channel {output.name}: forces and accelerations of nodes of rods are not simulated yet"
             yield Problem(message, "remove it, or ask for that of the rod", output.source)
 
 

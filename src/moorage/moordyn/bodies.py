@@ -1,14 +1,12 @@
-"""The functions of Body.h. Bodies that move by themselves come with the engine's; fixed and coupled ones only carry."""
+"""The functions of Body.h."""
 
 from __future__ import annotations
 
 import numpy as np
 
 from moorage.moordyn.codes import BODY_TYPES
-from moorage.moordyn.coupling import angular_velocity
-from moorage.moordyn.handles import Body, Rod, Vector, live, raising, to_tuple
-from moorage.moordyn.points import GetPointForce, Point
-from moorage.moordyn.rods import GetRodForce, holder_of
+from moorage.moordyn.handles import Body, Vector, live, raising, to_tuple
+from moorage.solve.masses import body_mass
 
 
 def GetBodyID(instance: Body) -> int:
@@ -23,9 +21,9 @@ def GetBodyType(instance: Body) -> int:
 
 @raising
 def GetBodyState(instance: Body) -> tuple[tuple[float, ...], tuple[float, ...]]:
-    """Return position with Euler angles (m, rad; intrinsic XYZ) and their rates, six numbers each."""
-    pose, rate = _motion(instance)
-    return to_tuple(pose), to_tuple(rate)
+    """Return position with Euler angles (m, rad; intrinsic XYZ), and velocity with that of rotation, global (rad/s)."""
+    pose, velocity = _motion(instance)
+    return to_tuple(pose), to_tuple(velocity)
 
 
 @raising
@@ -49,34 +47,25 @@ def GetBodyVel(instance: Body) -> Vector:
 @raising
 def GetBodyAngVel(instance: Body) -> Vector:
     """Return the angular velocity in global axes, rad/s."""
-    pose, rate = _motion(instance)
-    return to_tuple(angular_velocity(pose[None, 3:], rate[None, 3:])[0])
+    return to_tuple(_motion(instance)[1][3:])
 
 
 @raising
 def GetBodyForce(instance: Body) -> tuple[float, ...]:
-    """Return force and moment about its origin of what a body carries, N and N m, without inertia.
-
-    Weight, buoyancy and drag of the body itself come with the engine's bodies.
-    """
-    system, body = live(instance.system), _body(instance)
-    total, origin = np.zeros(6), _motion(instance)[0][:3]
-    for k, point in enumerate(system.model.points):
-        if point.body == body.id:
-            force = np.array(GetPointForce(Point(system, k)))
-            total += [*force, *np.cross(system.point_motion(k)[0] - origin, force)]
-    for k, rod in enumerate(system.model.rods):
-        if rod.body == body.id:
-            load = np.array(GetRodForce(Rod(system, k)))
-            arm = system.point_motion(holder_of(Rod(system, k), "A"))[0] - origin
-            total += [*load[:3], *(load[3:] + np.cross(arm, load[:3]))]
+    """Return force and moment about its origin of a body and of what it carries, N and N m, without inertia."""
+    system, k = live(instance.system), instance.place
+    total, origin = system.block["body_force"][k].copy(), system.block["body_position"][k]
+    for holder in system.built.bodies.holders[k]:
+        force = system.own_load(int(holder))
+        total += [*force, *np.cross(system.point_motion(int(holder))[0] - origin, force)]
     return to_tuple(total)
 
 
-def GetBodyM(instance: Body):
-    """Refuse: the mass of bodies is not simulated yet."""
-    _body(instance)
-    raise RuntimeError("GetBodyM: bodies are carried; their mass is not simulated yet")
+@raising
+def GetBodyM(instance: Body) -> tuple[tuple[float, ...], ...]:
+    """Return the mass matrix (6, 6) about its origin in global axes, with added mass and the points and rods on it."""
+    system = live(instance.system)
+    return to_tuple(body_mass(system.built, system.masses, system.block, instance.place, system.time))  # type: ignore[return-value]
 
 
 def _body(instance: Body):
@@ -84,5 +73,5 @@ def _body(instance: Body):
 
 
 def _motion(instance: Body) -> tuple[np.ndarray, np.ndarray]:
-    """Position with angles and their rates, (6,) each."""
+    """Position with angles, and velocity with that of rotation, (6,) each."""
     return live(instance.system).body_motion(instance.place)

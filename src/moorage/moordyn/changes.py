@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import dataclasses
 
-from moorage.model import Attachment, Model
+import numpy as np
+
+from moorage.model import Attachment, Model, Point
 
 
 def without_host_parts(model: Model) -> Model:
@@ -40,11 +42,14 @@ def with_line(model: Model, k: int, length: float | None, stiffness: float | Non
     return dataclasses.replace(model, lines=tuple(lines), line_types=types)
 
 
-def broken(model: Model, attachment: Attachment, places: tuple[int, ...]) -> Model:
-    """Return a model in which lines hold on to a free point of their own instead of an attachment."""
-    id = max(point.id for point in model.points) + 1
-    old = model.point(attachment.id)
-    new = dataclasses.replace(old, id=id, kind="free", body=None, turbine=None)
+def broken(model: Model, attachment: Attachment, places: tuple[int, ...], position: np.ndarray) -> Model:
+    """Return a model in which lines hold on to a free point of their own, at a position, instead of an attachment."""
+    id, free = max((point.id for point in model.points), default=0) + 1, tuple(position.tolist())
+    if attachment.kind == "point":
+        old = model.point(attachment.id)
+        new = dataclasses.replace(old, id=id, kind="free", body=None, turbine=None, position=free)
+    else:
+        new = Point(id=id, kind="free", position=free)
     lines = list(model.lines)
     for k in places:
         ends = {name: Attachment("point", id) for name in ("end_a", "end_b") if getattr(lines[k], name) == attachment}

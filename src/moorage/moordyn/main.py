@@ -11,11 +11,11 @@ import numpy as np
 from moorage.errors import ConvergenceError, MoorageError, SimulationError
 from moorage.moordyn import codes
 from moorage.moordyn.changes import option
-from moorage.moordyn.coupling import coupled_objects
 from moorage.moordyn.handles import Body, Line, Point, Rod, dof_vector, live, pick, raising, to_tuple
 from moorage.moordyn.log import HEADS
 from moorage.moordyn.states import load_initial
 from moorage.moordyn.system import System
+from moorage.solve.coupling import coupled_objects
 
 SCHEMES = (
     "implicit", "euler", "leuler", "heun", "rk2", "rk4", "ab2", "ab3", "ab4", "lab2", "lab3", "lab4",

@@ -42,7 +42,7 @@ def GetPointForce(instance: Point) -> Vector:
 def GetPointM(instance: Point) -> tuple[Vector, Vector, Vector]:
     """Return the mass matrix with added mass and those of the ends of its lines, kg."""
     system, built = live(instance.system), instance.system.built
-    row = int(built.names.node_ptr[-1]) + instance.place
+    row = int(built.system.lines.node_ptr[-1]) + instance.place
     a, b, c, d, e, f = condense_point(built.system, built.state, row, instance.place, Weights(1.0, 0.0, 0.0))
     M = np.array([[a, b, c], [b, d, e], [c, e, f]])
     for line, end in _attached(instance):

@@ -11,19 +11,18 @@ import numpy as np
 from moorage.accept import accept
 from moorage.errors import ModelWarning, MoorageError, SimulationError
 from moorage.io import read
-from moorage.layout import State, copy_of
+from moorage.layout import OF_OBJECTS, State, copy_of
 from moorage.model import Attachment, Failure
 from moorage.model.checks import check
 from moorage.moordyn.changes import broken, option, with_line, without_host_parts
 from moorage.moordyn.codes import LEVEL_ERR, LEVEL_MSG, LEVEL_WRN
-from moorage.moordyn.coupling import Coupling, angular_velocity, described
 from moorage.moordyn.log import Log
 from moorage.moordyn.text import Text
-from moorage.physics.point import sample_loads
-from moorage.results.channels import water_at
+from moorage.solve.coupling import Coupling, described
 from moorage.solve.host import HostMarch
 from moorage.solve.march import Block, Settings, control_of
-from moorage.solve.parts import FORCE, node_force_part, node_masses
+from moorage.solve.parts import node_force_part, node_masses
+from moorage.solve.reactions import point_load
 from moorage.solve.record import Record, new_record
 from moorage.system.build import Built, build
 
@@ -44,6 +43,8 @@ class System:
         Of the mooring's own clock, s: 0 at `initialize`, then the sum of the steps.
     pose, rate : (dof,) array
         Coupled degrees of freedom at the end of the last step, m and rad, and their rates.
+    mean : (dof,) array
+        Rates over the last step.
     """
 
     def __init__(self, path: str | Path):
@@ -64,13 +65,11 @@ class System:
         self.text: Text | None = None
         self._build(build(self.model))
         self.pose, self.rate = described(self.model), np.zeros(self.coupling.size)
+        self.mean = self.rate
 
     def _build(self, built: Built) -> None:
         self.host = HostMarch(built, SETTINGS)
         self.coupling = Coupling(self.model, built, self.host.driven)
-        points = built.system.points
-        loaded = (points.mass != 0.0) | (points.buoyancy != 0.0) | (points.drag != 0.0) | points.force.any(axis=1)
-        self._loaded = [row for row, k in enumerate(built.coupled) if loaded[k]]
         self._record: Record | None = None
         self._forget()
 
@@ -133,11 +132,11 @@ class System:
         self.host.initialize(position, velocity, static)
         if self.step_max is not None:
             self.limit_step(self.step_max)
-        self.pose, self.rate = pose, rate
+        self.pose, self.rate, self.mean = pose, rate, rate
         self._forget()
         if option(self.model, "disableOutput", "0").lower() not in ("1", "true"):
             self.text = Text(self.path, self.model, self.built)
-            self.text.write(self.host, 0.0, self.body_arrays())
+            self.text.write(self.host, 0.0)
         self.log.say(LEVEL_MSG, f"{self.path}: initialized")
 
     def stop(self) -> None:
@@ -146,7 +145,11 @@ class System:
         self._forget()
 
     def step(self, pose: np.ndarray, rate: np.ndarray, dt: float) -> np.ndarray:
-        """Go on by dt (s); the coupled objects go in straight lines (and angles) from where they are to pose + dt rate.
+        """Go on by dt (s); the coupled objects go from where they are to pose + dt rate.
+
+        Points go in straight lines, so that their velocity jumps from step to step as MoorDyn's does. Where bodies or
+        rods are coupled, all velocities are continuous, for their mass feels each jump: that at the end of the step is
+        extrapolated from the means of this step and the last.
 
         Returns
         -------
@@ -157,20 +160,22 @@ class System:
         mean = (target - self.pose) / dt
         host, before = self.host, (self.host.velocity, [line.length for line in self.model.lines])
         self._pay_out({line: speed * dt for line, speed in self.pay_out.items()})
-        host.velocity = self.coupling.at(self.pose, mean)[1]  # MoorDyn's velocity jumps from step to step
+        rate = mean + 0.5 * (mean - self.mean) if self.coupling.carries else mean
+        if not self.coupling.carries:
+            host.velocity = self.coupling.at(self.pose, mean)[1]
         self._set_water()
         try:
-            force = host.step(host.time + dt, *self.coupling.at(target, mean))
+            force = host.step(host.time + dt, *self.coupling.at(target, rate))
         except SimulationError:
             host.velocity = before[0]
             self._pay_out({line: before[1][line] - self.model.lines[line].length for line in self.pay_out})
             raise
-        self.pose, self.rate = target, mean
+        self.pose, self.rate, self.mean = target, rate, mean
         self._forget()
         broke = self._break_lines()
         if self.text is not None:
-            self.text.write(self.host, dt, self.body_arrays())
-        return self.coupled_forces() if broke else self._on_coupled(force)
+            self.text.write(self.host, dt)
+        return self.coupled_forces() if broke else self.coupling.forces(host, force)
 
     def _pay_out(self, lengths: dict[int, float]) -> None:
         """Make lines longer, m."""
@@ -179,32 +184,19 @@ class System:
 
     def coupled_forces(self) -> np.ndarray:
         """Return the forces on the coupled degrees of freedom now, (dof,), N and N m."""
-        return self._on_coupled(self.host._forces(self.time))
-
-    def _on_coupled(self, force: np.ndarray) -> np.ndarray:
-        for row in self._loaded:
-            force[row] += self.own_load(int(self.built.coupled[row]))
-        return self.coupling.gather(self.pose, force, self.host.moments())
+        return self.coupling.forces(self.host, self.host._forces(self.time))
 
     def body_motion(self, place: int) -> tuple[np.ndarray, np.ndarray]:
-        """Return position with angles (m, rad) of a body by its place, and their rates, (6,) each."""
-        body = self.model.bodies[place]
-        for (kind, id, width), start in zip(self.coupling.owners, self.coupling.starts, strict=False):
-            if (kind, id, width) == ("body", body.id, 6):
-                return self.pose[start : start + 6], self.rate[start : start + 6]
-        if body.kind != "fixed":
-            raise MoorageError(f"body {body.id}: {body.kind} bodies are not simulated yet")
-        return np.array([*body.position, *body.rotation]), np.zeros(6)
+        """Return position with angles (m, rad) of a body by its place, and velocity with spin, (6,) each."""
+        block = self.block
+        return np.concatenate([block["body_position"][place], block["body_rotation"][place]]), block["body_velocity"][
+            place
+        ]
 
-    def body_arrays(self) -> Block:
-        """Return position, rotation and velocity of all bodies now, as a block has them."""
-        motions = [self.body_motion(k) for k in range(len(self.model.bodies))]
-        if not motions:
-            return {}
-        pose, rate = (np.array(part)[None] for part in zip(*motions, strict=True))
-        spin = angular_velocity(pose[0, :, 3:], rate[0, :, 3:])[None]
-        velocity = np.concatenate([rate[:, :, :3], spin], axis=2)
-        return {"body_position": pose[:, :, :3], "body_rotation": pose[:, :, 3:], "body_velocity": velocity}
+    def rod_motion(self, place: int) -> tuple[np.ndarray, np.ndarray]:
+        """Return where the ends of a rod are and how they move, (2, 3) each, m and m/s."""
+        a, b = (self.point_motion(int(holder)) for holder in self.built.rods.ends[place])
+        return np.array([a[0], b[0]]), np.array([a[1], b[1]])
 
     def close(self) -> None:
         """Close the files; the system cannot be used any more."""
@@ -214,10 +206,8 @@ class System:
 
     def own_load(self, point: int) -> np.ndarray:
         """Return weight, buoyancy, drag and constant force of a point by itself, (3,), N."""
-        out, (place, velocity) = np.zeros((1, 3)), (values[None].copy() for values in self.point_motion(point))
-        water = water_at(self.built, np.array([self.time]), place)
-        sample_loads(self.built.system.points, point, water, place, velocity, FORCE, out)
-        return out[0]
+        motion = np.concatenate([*self.point_motion(point), np.zeros(3)])[None]
+        return point_load(self.built, point, motion, np.array([self.time]))[0]
 
     def point_motion(self, holder: int) -> tuple[np.ndarray, np.ndarray]:
         """Return position and velocity of a point or rod end, (3,) each."""
@@ -225,7 +215,7 @@ class System:
         if len(driven):
             position, velocity = self.coupling.at(self.pose, self.rate)
             return position[driven[0]], velocity[driven[0]]
-        row = int(self.built.names.node_ptr[-1]) + holder
+        row = int(self.built.system.lines.node_ptr[-1]) + holder
         if holder in self.built.system.islands.points:
             return self.built.state.position[row].copy(), self.built.state.velocity[row].copy()
         return self.built.system.tracks.rest[holder].copy(), np.zeros(3)
@@ -257,15 +247,15 @@ class System:
     def break_off(self, attachment: Attachment, lines: tuple[int, ...]) -> None:
         """Take lines (by their places) off a point; they hold on to a new free point that is like it."""
         old, before = self.model, self.built
-        self.model = broken(old, attachment, lines)
+        end = 0 if old.lines[lines[0]].end_a == attachment else 1
+        place = before.state.position[before.names.node_ptr[lines[0] + end] - end]
+        self.model = broken(old, attachment, lines, place)
         points = len(old.points)
         new = build(self.model)
-        nodes = int(before.names.node_ptr[-1])
+        nodes = int(before.system.lines.node_ptr[-1])
         rows = np.insert(np.arange(len(before.state.position)), nodes + points, 0)
-        line = self.model.lines[lines[0]]
-        end = 0 if line.end_a == Attachment("point", self.model.points[-1].id) else 1
         rows[nodes + points] = before.names.node_ptr[lines[0] + end] - end
-        state = State(*(values[rows] for values in before.state))
+        state = State(*(v if name in OF_OBJECTS else v[rows] for name, v in before.state._asdict().items()))
         time, march = self.time, self.host.march
         self._build(new)
         self.host.take_over(time, state, *self.coupling.at(self.pose, self.rate))
@@ -305,7 +295,7 @@ class System:
         """Return everything that `restore` needs."""
         host = self.host.save()
         lengths = np.array([line.length for line in self.model.lines])
-        return host | {"pose": self.pose, "rate": self.rate, "length": lengths}
+        return host | {"pose": self.pose, "rate": self.rate, "mean": self.mean, "length": lengths}
 
     def restore(self, saved: Block) -> None:
         """Go back to a saved state of the same system, bit for bit."""
@@ -319,7 +309,7 @@ class System:
             if length != self.model.lines[k].length:
                 self.change_line(k, length=float(length))
         self.host.restore({name: saved[name] for name in now})
-        self.pose, self.rate = saved["pose"].copy(), saved["rate"].copy()
+        self.pose, self.rate, self.mean = (saved[name].copy() for name in ("pose", "rate", "mean"))
         self._forget()
 
     def set_state(self, state: State) -> None:

@@ -10,7 +10,6 @@ import numpy as np
 from moorage.model import Model
 from moorage.results import MoordynOut, plan_outputs, watch_list
 from moorage.solve.host import HostMarch
-from moorage.solve.march import Block
 from moorage.solve.record import new_record
 from moorage.system.build import Built
 
@@ -26,12 +25,12 @@ class Text:
         watched = np.array(watch_list(model), dtype=np.int64).reshape(-1, 2)
         self._record = new_record(built.system, np.zeros(1), np.zeros(1), watched)
 
-    def write(self, host: HostMarch, dt: float, bodies: Block) -> None:
-        """Write the present time, if its turn has come in the step of dt (s); bodies: arrays of theirs."""
+    def write(self, host: HostMarch, dt: float) -> None:
+        """Write the present time, if its turn has come in the step of dt (s)."""
         t = host.time
         due = self.interval == 0.0 or t + 1e-9 >= (math.floor((t - dt + 1e-9) / self.interval) + 1.0) * self.interval
         if self.out.files and (due or not self.rows):
-            self.out.append(host.fill(self._record) | bodies)
+            self.out.append(host.fill(self._record))
             self.rows += 1
 
     def close(self) -> None:

@@ -17,13 +17,14 @@ from moorage.variables import VARIABLES, attributes
 def modes_dataset(index: Index, built: Built, modes: Modes, attrs: Mapping[str, object]) -> xr.Dataset:
     """Return frequencies and shapes with the static state that they are about."""
     nodes, points = int(built.names.node_ptr[-1]), len(built.names.points)
+    first = int(built.system.lines.node_ptr[-1])  # row of the first point
     rate = np.sqrt(np.where(modes.squares >= 0.0, modes.squares, np.nan))
     values = {
         "mode": np.arange(1, len(rate) + 1),
         "frequency": rate / (2.0 * np.pi),
         "period": 2.0 * np.pi / np.where(rate > 0.0, rate, np.nan),
         "mode_shape": modes.shapes[:, :nodes],
-        "point_shape": modes.shapes[:, nodes : nodes + points],
+        "point_shape": modes.shapes[:, first : first + points],
         "line_energy": np.add.reduceat(modes.energy[:, :nodes], built.names.node_ptr[:-1], axis=1),
         "node_position": built.state.position[:nodes],
     }

@@ -10,11 +10,11 @@ import numpy as np
 
 from moorage.errors import SimulationError
 from moorage.layout import State
-from moorage.physics.motion import Tracks
+from moorage.physics.motion import Tracks, sample_track
 from moorage.solve.given_water import as_water, set_given, takes_water
 from moorage.solve.march import Block, March, Settings
 from moorage.solve.march_kernel import start_islands
-from moorage.solve.record import FORCE_A, MOMENT_A, Record, new_record
+from moorage.solve.record import FORCE_A, Record, new_record
 from moorage.solve.statics import rest, solve
 from moorage.system.build import Built, with_motion
 
@@ -62,7 +62,8 @@ class HostMarch:
         self._component = (3 * row[ends, None] + np.arange(3)).ravel()
         self._record = new_record(built.system, np.zeros(1), np.zeros(0), np.zeros((0, 2), dtype=np.int64))
         self.built = with_motion(built, self._tracks)
-        holders = np.arange(len(built.state.position) - built.names.node_ptr[-1])
+        self._first = int(built.system.lines.node_ptr[-1])  # row of the first point
+        holders = np.arange(len(built.system.points.mass))
         self._held = np.setdiff1d(holders, built.system.islands.points)  # whose rows of the state are not used
         self.settings = settings or Settings()
         self.position = self._tracks.rest[self.driven].copy()
@@ -123,9 +124,9 @@ class HostMarch:
     def water_nodes(self) -> np.ndarray:
         """Return where the host has to say what the water does, (rows, 3), m: every row of the state."""
         places = self.built.state.position.copy()
-        first = self.built.names.node_ptr[-1]
-        places[first + self._held] = self._tracks.rest[self._held]
-        places[first + self.built.coupled] = self.position
+        coupled = self.built.coupled
+        places[self._first + self._held] = self._tracks.rest[self._held]
+        places[self._first + coupled] = self.position[: len(coupled)]
         return places
 
     def set_water(self, elevation, velocity, acceleration, time: float | None = None) -> None:
@@ -172,9 +173,15 @@ class HostMarch:
         self.march.run(self.time, self.time, record)
         return self.march.block(record, len(record.time), len(record.node_time))
 
-    def moments(self) -> np.ndarray:
-        """Return the moments of the line ends on the coupled points and rod ends, (m, 3), N m."""
-        return self._sum_ends(MOMENT_A)
+    def reactions(self) -> Block:
+        """Return `rod_force` and `body_force` (1, n, 6) now, see `moorage.solve.reactions`, N and N m."""
+        return self.march.reactions(self._record)
+
+    def motion_of(self, row: int) -> np.ndarray:
+        """Return position, velocity and acceleration (1, 9) of a driven row now."""
+        out = np.zeros((3, 1, 3))
+        sample_track(self._tracks, int(self.driven[row]), np.array([self.time]), *out)
+        return np.concatenate(out, axis=1)
 
     def _checked(self, name: str, values) -> np.ndarray:
         array = np.array(values, dtype=float)
@@ -205,10 +212,6 @@ class HostMarch:
         self._record.time[0] = time
         self._march.run(time, time, self._record)
         self._march.time = time
-        return self._sum_ends(FORCE_A)
-
-    def _sum_ends(self, column: int) -> np.ndarray:
-        """Sum a vector of all line ends on each coupled point and rod end, (m, 3)."""
-        ends = self._record.lines[0, : self._lines, column : column + 6].ravel()
+        ends = self._record.lines[0, : self._lines, FORCE_A : FORCE_A + 6].ravel()
         m = len(self.built.coupled)
         return np.bincount(self._component, ends, 3 * m + 3)[: 3 * m].reshape(m, 3)

@@ -20,6 +20,7 @@ from moorage.solve.carried import carried
 from moorage.solve.given_water import WaterFeed, takes_water
 from moorage.solve.march_kernel import BROKEN, OK, UNSTABLE, Clocks, Control, march_islands, start_islands
 from moorage.solve.places import place_name
+from moorage.solve.reactions import reactions
 from moorage.solve.record import Record, new_record
 from moorage.system.build import Built, Releases
 from moorage.system.sea import with_interval
@@ -387,18 +388,26 @@ class March:
             }
         return block
 
-    def _carried(self, points: np.ndarray, record: Record, rows: int) -> Block:
-        """Return the columns of rods and bodies."""
+    def reactions(self, record: Record) -> Block:
+        """Return what rods and bodies (n, k, 6) do to what holds them, see `moorage.solve.reactions`."""
+        points = record.points.copy()
+        self._fill_prescribed(record.time, points)
+        block = self._carried(points, record, len(record.time), inertia=True)
+        return reactions(self.built, block, points, record.time) if block else {}
+
+    def _carried(self, points: np.ndarray, record: Record, rows: int, inertia: bool = False) -> Block:
+        """Return the columns of rods and bodies; inertia: that of lines and nodes of rods is in the forces."""
         if not len(self.built.rods.line) and not len(self.built.bodies.object):
             return {}
         c, named = columns, len(self.built.names.lines)
         rods, objects = record.lines[:rows, named:], record.objects[:rows]
         ends = record.lines[:rows, :named]
+        force, moment = (c.FORCE_A, c.MOMENT_A) if inertia else (c.LOAD_A, c.MOMENT_B)
         loads = {
-            "end_load": ends[:, :, c.LOAD_A : c.LOAD_A + 6].reshape(rows, named, 2, 3),
+            "end_load": ends[:, :, force : force + 6].reshape(rows, named, 2, 3),
             "end_moment": ends[:, :, c.MOMENT_A : c.MOMENT_A + 6].reshape(rows, named, 2, 3),
-            "rod_load": rods[:, :, c.LOAD_A : c.LOAD_A + 3],
-            "rod_load_moment": rods[:, :, c.MOMENT_B : c.MOMENT_B + 3],
+            "rod_load": rods[:, :, force : force + 3],
+            "rod_load_moment": rods[:, :, moment : moment + 3],
         }
         motion = {
             "object_position": objects[:, :, c.PLACE : c.PLACE + 3],

@@ -2,7 +2,7 @@
 
 K and M are those of Newton's method, assembled with the weights (0, 0, 1) and (1, 0, 0): K with contact, bending and
 buoyancy in the surface, M with added mass. Drag, damping and the sea have no part in them, nor has friction (unless the
-statics have it). Coupled points are held.
+statics have it). Coupled points, rods and bodies are held.
 
 Unknowns are 3-vectors of state rows. A basis takes fewer unknowns to those rows, K -> T^T K T: what moves several rows
 at once, a rigid body, needs no more than that and its own 6x6 blocks.
@@ -20,6 +20,7 @@ from scipy.sparse.linalg import eigsh
 
 from moorage.layout import Weights
 from moorage.solve.newton import assemble_island
+from moorage.solve.object_modes import basis_of, own_blocks, own_unknowns, without_rods
 from moorage.solve.statics import static_system
 from moorage.solve.statics_kernel import place_at_rest
 from moorage.solve.stiffness import condense_point
@@ -38,6 +39,9 @@ class Pencil(NamedTuple):
     mass: csc_array  # (m, m)
     rows: np.ndarray  # (n,) state rows
     basis: csr_array | None = None  # (3 n, m), none: m = 3 n
+    lines: csc_array | None = None  # (3 n, 3 n) mass of the rows by themselves, with a basis
+    own: csc_array | None = None  # (m, m) mass of objects beside it
+    own_row: np.ndarray | None = None  # (m,) state rows that those belong to
 
 
 class Modes(NamedTuple):
@@ -73,8 +77,11 @@ def modes_at_rest(built: Built, number: int, pencils: Sequence[Pencil] | None = 
         part, vector = every[k]
         full = vector if part.basis is None else part.basis @ vector
         shapes[out, part.rows] = full.reshape(-1, 3)
-        if part.basis is None:
-            energy[out, part.rows] = (vector * (part.mass @ vector)).reshape(-1, 3).sum(axis=1)
+        lines = part.mass if part.basis is None else part.lines
+        if lines is not None:
+            energy[out, part.rows] = (full * (lines @ full)).reshape(-1, 3).sum(axis=1)
+        if part.own is not None and part.own_row is not None:
+            np.add.at(energy[out], part.own_row, vector * (part.own @ vector))
     _follow_holders(built, shapes)
     largest = np.linalg.norm(shapes, axis=2).max(axis=1, initial=0.0)
     total = energy.sum(axis=1)
@@ -86,11 +93,32 @@ def modes_at_rest(built: Built, number: int, pencils: Sequence[Pencil] | None = 
 
 
 def island_pencil(built: Built, island: int) -> Pencil:
-    """Return K and M of the interior nodes and free points of an island."""
-    unknowns = unknowns_of(built, island)
-    return Pencil(
-        assembled(built, island, unknowns, STIFFNESS), assembled(built, island, unknowns, MASS), unknowns.rows
-    )
+    """Return K and M of the interior nodes, free points and objects of an island."""
+    lines, islands = without_rods(built), built.system.islands
+    unknowns = unknowns_of(lines, island) if _has_lines(lines, island) else _points_only(built, island)
+    if islands.object_ptr[island] == islands.object_ptr[island + 1]:
+        K, M = (assembled(built, island, unknowns, c) for c in (STIFFNESS, MASS))
+        return Pencil(K, M, unknowns.rows)
+    own = own_unknowns(built, island, unknowns.rows)
+    parts = []
+    for c in (STIFFNESS, MASS):
+        parts.append((assembled(built, island, unknowns, c), own_blocks(built, island, own, c)))
+    (K, k), (M, m) = parts
+    basis = basis_of(built, island, unknowns.rows, own)
+    return with_basis(Pencil(K, M, unknowns.rows), basis, k, m)._replace(lines=M, own=m, own_row=own[:, 0])
+
+
+def _has_lines(built: Built, island: int) -> bool:
+    return bool(built.system.islands.line_ptr[island] < built.system.islands.line_ptr[island + 1])
+
+
+def _points_only(built: Built, island: int) -> Unknowns:
+    """Return the unknowns of an island without lines."""
+    islands, none = built.system.islands, np.zeros(0, dtype=np.int64)
+    rows = built.system.lines.node_ptr[-1] + islands.points[slice(*islands.point_ptr[island : island + 2])]
+    number = np.full(len(built.state.position), -1)
+    number[rows] = np.arange(len(rows))
+    return Unknowns(rows, none, none.astype(bool), none.astype(bool), none, none, number)
 
 
 def assembled(built: Built, island: int, unknowns: Unknowns, c: Weights) -> csc_array:
@@ -98,10 +126,10 @@ def assembled(built: Built, island: int, unknowns: Unknowns, c: Weights) -> csc_
     system, work = static_system(built.system), built.work
     place_at_rest(system, built.state, work, island)
     assemble_island(system, built.state, built.state, work, island, c, 0.0)
-    nodes = int(built.names.node_ptr[-1])
+    nodes = int(built.system.lines.node_ptr[-1])
     for point in system.islands.points[slice(*system.islands.point_ptr[island : island + 2])]:
         work.blocks.own[nodes + point] = condense_point(system, built.state, nodes + point, point, c)
-    return whole_matrix(built, island, unknowns, np.zeros((len(built.state.position), 9)))
+    return whole_matrix(without_rods(built), island, unknowns, np.zeros((len(built.state.position), 9)))
 
 
 def with_basis(pencil: Pencil, basis: csr_array, stiffness=0.0, mass=0.0) -> Pencil:
@@ -125,7 +153,7 @@ def lowest(pencil: Pencil, number: int) -> tuple[np.ndarray, np.ndarray]:
 
 def _follow_holders(built: Built, shapes: np.ndarray) -> None:
     """Let the end nodes of lines move with what they hold on to."""
-    ptr = built.names.node_ptr
-    for line, holders in enumerate(built.system.lines.end_point):
+    ptr, first = built.names.node_ptr, built.system.lines.node_ptr[-1]
+    for line, holders in enumerate(built.system.lines.end_point[: len(built.names.lines)]):
         for end, row in enumerate((ptr[line], ptr[line + 1] - 1)):
-            shapes[:, row] = shapes[:, ptr[-1] + holders[end]]
+            shapes[:, row] = shapes[:, first + holders[end]]

@@ -58,13 +58,15 @@ def stiffness_of(built: Built, platforms: tuple[Platform, ...]) -> np.ndarray:
         return np.zeros((0, 6, 0, 6))
     every = np.concatenate([p.moved for p in platforms])
     clamped = built.system.bending.rule[np.isin(built.system.lines.end_point, every)] != PINNED
-    return measured(built, platforms) if clamped.any() else condensed(built, platforms, every)
+    if clamped.any() or len(built.system.riders.row):
+        return measured(built, platforms)
+    return condensed(built, platforms, every)
 
 
 def condensed(built: Built, platforms: tuple[Platform, ...], every: np.ndarray) -> np.ndarray:
     """Return the stiffness by elimination, exact; for platforms with pinned lines only."""
     K = coupled_stiffness(built, every)
-    nodes = int(built.names.node_ptr[-1])
+    nodes = int(built.system.lines.node_ptr[-1])
     T, turning = np.zeros((len(every), 3, len(platforms), 6)), np.zeros((len(platforms), 6, len(platforms), 6))
     forces, row = holder_forces(built), 0
     for p, platform in enumerate(platforms):
@@ -80,7 +82,7 @@ def condensed(built: Built, platforms: tuple[Platform, ...], every: np.ndarray) 
 
 
 def measured(built: Built, platforms: tuple[Platform, ...]) -> np.ndarray:
-    """Return the same by central differences of equilibria, for platforms that turn the clamps of cables."""
+    """Return the same by central differences of equilibria, with clamps that turn, or free objects."""
     tolerance = 0.1 * natural_tolerance(built)
     tracks, begin = built.system.tracks, copy_of(built.state)
     rest, coefficients = tracks.rest.copy(), tracks.coefficients.copy()
@@ -117,9 +119,9 @@ def move_platform(built: Built, platform: Platform, move: np.ndarray, rest: np.n
 
 def platform_loads(built: Built, platforms: tuple[Platform, ...], moving: int, shift: np.ndarray) -> np.ndarray:
     """Return forces and moments of the lines on all platforms, (p, 6), of which one has been shifted, m."""
-    sample, nodes = sampled(built), int(built.names.node_ptr[-1])
+    sample, nodes = sampled(built), int(built.system.lines.node_ptr[-1])
     loads = np.zeros((len(platforms), 6))
-    for line, ends in enumerate(built.system.lines.end_point):
+    for line, ends in enumerate(built.system.lines.end_point[: len(sample)]):
         for end, holder in enumerate(ends):
             for p, platform in enumerate(platforms):
                 if holder in platform.moved:
@@ -135,16 +137,17 @@ def platform_loads(built: Built, platforms: tuple[Platform, ...], moving: int, s
 def holder_forces(built: Built) -> np.ndarray:
     """Return the forces of the lines on points and rod ends at rest, (n, 3), N."""
     sample, out = sampled(built), np.zeros((len(built.system.points.mass), 3))
+    ends = built.system.lines.end_point[: len(sample)]
     for end in range(2):
-        np.add.at(out, built.system.lines.end_point[:, end], sample[:, FORCE_A + 3 * end : FORCE_A + 3 * end + 3])
+        np.add.at(out, ends[:, end], sample[:, FORCE_A + 3 * end : FORCE_A + 3 * end + 3])
     return out
 
 
 def sampled(built: Built) -> np.ndarray:
     """Return the columns of the records of all lines at rest."""
-    sample = np.zeros((len(built.names.lines), COLUMNS))
+    sample = np.zeros((len(built.system.lines.bends), COLUMNS))
     sample_system(built.system, built.state, 0.0, sample)
-    return sample
+    return sample[: len(built.names.lines)]
 
 
 def _put(target, source) -> None:

@@ -97,6 +97,7 @@ class Built(NamedTuple):
     rods: Rods
     bodies: Bodies
     body_loads: RigidLoads  # of all bodies by themselves
+    rod_loads: RigidLoads  # of all rods that have nodes, beside those of their nodes
 
 
 def build(
@@ -195,6 +196,7 @@ def build(
         _rods(model, holders),
         bodies,
         build_rigid(model, list(model.bodies), np.ones(len(model.bodies))),
+        build_rigid(model, list(rods), np.ones(len(rods))),
     )
 
 

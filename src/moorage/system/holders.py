@@ -135,7 +135,8 @@ def holders_of(
         track = (rods if kind == "rod" else bodies).get(id, (None, None))[0]
         if isinstance(thing, Rod) and thing.body is not None:
             place, track = carried(model, thing, bodies, None, place)
-        pin[o] = add(place, False, thing.kind == "coupled-pinned", track)
+        on_moved = isinstance(thing, Rod) and thing.body is not None and _body(model, thing.body).kind != "fixed"
+        pin[o] = add(place, False, thing.kind == "coupled-pinned" or on_moved, track)
     places: dict[int, int] = {}
     axes: dict[int, np.ndarray] = {}
     for body in model.bodies:

@@ -2,17 +2,23 @@
 
 A host gives position and Euler angles (intrinsic XYZ) of coupled bodies and rods, and positions of coupled points: all
 bodies first, then rods, then points, in the order of the file, six numbers each and three for points and pinned ones.
-Each row that the host drives (a point, an end of a rod, the direction of a clamp) sits in the axes of one of them.
+Each row that the host drives (a point, an end of a rod, a pin, the direction of a clamp, an axis of a body) sits in the
+axes of one of them.
 """
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 
-from moorage.model import Model
+from moorage.model import Attachment, Model, Rod
 from moorage.model.motion import MOVED, rotation_matrices
+from moorage.solve.host import HostMarch
+from moorage.solve.reactions import point_load
 from moorage.system.build import Built
-from moorage.system.holders import holders_of
+from moorage.system.holders import Holders, holders_of
+from moorage.system.objects import rod_length
 
 
 class Coupling:
@@ -31,6 +37,8 @@ class Coupling:
         The coupled objects in the order of the vector.
     size : int
         Number of degrees of freedom.
+    carries : bool
+        Whether there are rods or bodies among them.
     """
 
     def __init__(self, model: Model, built: Built, driven: np.ndarray):
@@ -46,7 +54,13 @@ class Coupling:
         self._place = (self.starts[:-1, None] + np.arange(3))[self.owner]
         self._turning = [k for k, (_, _, width) in enumerate(self.owners) if width == 6]
         self._angles = self.starts[self._turning, None] + np.arange(3, 6)
-        self._turned = np.isin(self.owner, self._turning)
+        holder = {id: row for row, (kind, id, _, _) in enumerate(known) if kind == "point"}
+        self._points = {id: (row, int(driven[row])) for id, row in holder.items()}
+        self._carriers = {("body", body.id): k for k, body in enumerate(model.bodies) if body.kind in MOVED}
+        self._carriers |= {("rod", r.id): k for k, r in enumerate(model.rods) if r.kind in MOVED and r.body is None}
+        self.carries = bool(self._carriers)
+        p = built.system.points
+        self._loaded = (p.mass != 0.0) | (p.buoyancy != 0.0) | (p.drag != 0.0) | p.given.any(axis=(1, 2))
 
     def at(self, pose: np.ndarray, rate: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return positions and velocities (m, 3) of the driven rows, for the vector (size,) and its rate."""
@@ -58,17 +72,26 @@ class Coupling:
             velocity = self.shifts * velocity + np.cross(spin[self.owner], arm)
         return position, velocity
 
-    def gather(self, pose: np.ndarray, force: np.ndarray, moment: np.ndarray) -> np.ndarray:
-        """Return the vector (size,) of forces, and moments about the origin of each object, from those on the rows."""
-        out = np.zeros(self.size)
-        n = len(force)
-        np.add.at(out, self._place[:n].ravel(), force.ravel())
-        if self._turning:
-            R, _ = self._rotations(pose, np.zeros_like(pose))
-            arm = np.einsum("kij,kj->ki", R[self.owner[:n]], self.local[:n])
-            turned = self._turned[:n]
-            total = (np.cross(arm, force) + moment)[turned]
-            np.add.at(out, (self._place[:n][turned] + 3).ravel(), total.ravel())
+    def forces(self, host: HostMarch, pulls: np.ndarray) -> np.ndarray:
+        """Return the vector (size,) of forces, and moments about the origin of each object, on the objects, N and N m.
+
+        Parameters
+        ----------
+        host : HostMarch
+        pulls : (m, 3) array
+            Forces of the lines on the coupled points, as it has just returned them; the weight, buoyancy, drag and
+            inertia of the objects themselves are added, and of all that they carry.
+        """
+        out, now = np.zeros(self.size), np.array([host.time])
+        loads = host.reactions() if self.carries else {}
+        for (kind, id, width), first in zip(self.owners, self.starts[:-1], strict=True):
+            if kind == "point":
+                row, holder = self._points[id]
+                out[first : first + 3] = pulls[row]
+                if self._loaded[holder]:
+                    out[first : first + 3] += point_load(host.march.built, holder, host.motion_of(row), now)[0]
+            else:
+                out[first : first + width] = loads[f"{kind}_force"][0, self._carriers[kind, id], :width]
         return out
 
     def _rotations(self, pose, rate) -> tuple[np.ndarray, np.ndarray]:
@@ -104,36 +127,64 @@ def described(model: Model) -> np.ndarray:
     return np.concatenate(parts) if parts else np.zeros(0)
 
 
-def driven_rows(model: Model, built: Built) -> dict[int, tuple[str, int, np.ndarray, float]]:
-    """Return (kind and id of the owner, place in its axes, 1 or 0 for a direction) of each track that moves."""
-    holders, rows = holders_of(model, None, None), {}
-    moved = {body.id for body in model.bodies if body.kind in MOVED}
-    axes = {}  # of each coupled rod or rod on a coupled body: its owner and its axis there
+class Driven(NamedTuple):
+    """A row that a host drives."""
+
+    kind: str  # of its owner
+    id: int
+    local: np.ndarray  # (3,) place or direction in its axes
+    shifts: float  # 1: a place, which the owner shifts; 0: a direction
+
+
+def driven_rows(model: Model, built: Built) -> dict[int, Driven]:
+    """Return what drives each track that moves."""
+    holders = holders_of(model, None, None)
+    moved = {body.id for body in model.bodies if body.kind == "coupled"}
+    rows: dict[int, Driven] = {}
     for point in model.points:
-        track = next(k for a, k in holders.number.items() if a.kind == "point" and a.id == point.id)
+        track = holders.number[Attachment("point", point.id)]
         if point.body in moved:
-            rows[track] = ("body", point.body, np.array(point.position), 1.0)
+            rows[track] = Driven("body", point.body, np.array(point.position), 1.0)  # type: ignore[arg-type]
         elif point.kind == "coupled" and point.body is None:
-            rows[track] = ("point", point.id, np.zeros(3), 1.0)
-    for rod in model.rods:
-        length = float(np.linalg.norm(np.subtract(rod.end_b, rod.end_a))) if rod.segments else 0.0
-        if rod.body in moved:
-            owner, start, axis = ("body", rod.body), np.array(rod.end_a), np.array(rod.direction)
-        elif rod.kind in MOVED and rod.body is None:
-            owner, start, axis = ("rod", rod.id), np.zeros(3), np.array([0.0, 0.0, 1.0])
-        else:
-            continue
-        axes[rod.id] = owner, axis
-        for attachment, track in holders.number.items():
-            if attachment.kind == "rod" and attachment.id == rod.id:
-                rows[track] = (*owner, start + (length * axis if attachment.end == "B" else 0.0), 1.0)
+            rows[track] = Driven("point", point.id, np.zeros(3), 1.0)
+    axes = _drive_rods(model, holders, moved, rows)
     for k, line in enumerate(model.lines):
         for end, attachment in enumerate((line.end_a, line.end_b)):
             track = built.system.bending.direction[k, end]
             if track >= 0 and attachment.kind == "rod" and attachment.id in axes:
-                owner, axis = axes[attachment.id]
-                rows[int(track)] = (*owner, -axis if attachment.end == "A" else axis, 0.0)
-    return rows  # type: ignore[return-value]
+                kind, id, axis = axes[attachment.id]
+                rows[int(track)] = Driven(kind, id, -axis if attachment.end == "A" else axis, 0.0)
+    for o, (kind, id) in enumerate(holders.objects.names):
+        thing = holders.objects.things[o]
+        if thing.kind == "coupled-pinned":
+            rows[int(holders.pin[o])] = Driven(kind, id, np.zeros(3), 1.0)
+        elif isinstance(thing, Rod) and thing.body in moved:
+            rows[int(holders.pin[o])] = Driven("body", thing.body, np.array(thing.end_a), 1.0)  # type: ignore[arg-type]
+    for k, body in enumerate(model.bodies):
+        if body.id in moved:
+            rows[int(built.bodies.place[k])] = Driven("body", body.id, np.zeros(3), 1.0)
+            for axis in range(2):
+                rows[int(built.bodies.axes[k]) + axis] = Driven("body", body.id, np.eye(3)[axis], 0.0)
+    return rows
+
+
+def _drive_rods(model: Model, holders: Holders, moved: set[int], rows: dict[int, Driven]) -> dict:
+    """Add the ends of rods that are held by what a host moves; returns kind and id of that, and the axis there."""
+    axes = {}
+    for rod in model.rods:
+        if ("rod", rod.id) in holders.objects.number:
+            continue
+        if rod.body in moved:
+            kind, id, start, axis = "body", rod.body, np.array(rod.end_a), np.array(rod.direction)
+        elif rod.kind in MOVED and rod.body is None:
+            kind, id, start, axis = "rod", rod.id, np.zeros(3), np.array([0.0, 0.0, 1.0])
+        else:
+            continue
+        axes[rod.id] = kind, id, axis
+        length = rod_length(rod) if rod.segments else 0.0
+        for end, arm in (("A", 0.0), ("B", length)):
+            rows[holders.number[Attachment("rod", rod.id, end)]] = Driven(kind, id, start + arm * axis, 1.0)  # type: ignore[arg-type]
+    return axes
 
 
 def angular_velocity(angles: np.ndarray, rates: np.ndarray) -> np.ndarray:
