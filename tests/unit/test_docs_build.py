@@ -54,7 +54,7 @@ def test_the_reference_names_everything_that_can_be_imported(site):
 
 def test_nothing_is_fetched_to_lay_out_a_page(site):
     target, _ = site
-    page = (target / "theory.html").read_text("utf-8")
+    page = (target / "tutorial.html").read_text("utf-8")
     for tag in page.split("<")[1:]:
         name = tag.split(maxsplit=1)[0]
         if name in ("link", "script", "img"):
