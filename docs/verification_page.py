@@ -13,7 +13,7 @@ PAGE = ROOT / "docs" / "verification.md"
 
 HEAD = """# Verification
 
-Forces and solvers are compared with exact or published answers. Tolerances are derived where the comparison is described,
+Forces and solvers are compared with exact or published answers. Tolerances are derived where a comparison is described,
 rates of convergence are asserted where there are any, and nearly every comparison has a wrong variant that must fail.
 `python docs/verification_page.py` makes this page from the docstrings of the tests, and
 `python -m pytest tests/verification` runs them all. Two comparisons have pages of their own:
