@@ -286,6 +286,18 @@ def plot(
 
 
 @app.command()
+def report(
+    result: ResultFile,
+    output: Annotated[
+        Path | None, typer.Option("-o", metavar="PAGE.html", help="Page (default: RESULT-report.html).")
+    ] = None,
+) -> None:
+    """Write one page about a run: model, surroundings, tables, figures and warnings."""
+    page = moorage.report(result, output)
+    console.out.print(f"page {page}", markup=False, soft_wrap=True)
+
+
+@app.command()
 def view(
     file: Annotated[
         Path, typer.Argument(metavar="FILE|RESULT.nc", help="What a run wrote, or a model: its static shape.")
