@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from moorage.model import Model
     from moorage.model.checks import suspicious
     from moorage.model.unbuilt import unbuilt
+    from moorage.reporting import report
     from moorage.results import envelope, line, open_result, write_vtk
     from moorage.run import simulate, solve_statics, warmup
     from moorage.show import view
@@ -71,6 +72,7 @@ _HOMES = {
     "read_bathymetry": "io",
     "read_friction_map": "io",
     "read_stiffness_map": "io",
+    "report": "reporting",
     "simulate": "run",
     "solve_statics": "run",
     "stiffness": "about_rest",
@@ -108,6 +110,7 @@ __all__ = [
     "read_bathymetry",
     "read_friction_map",
     "read_stiffness_map",
+    "report",
     "results",
     "simulate",
     "solve_statics",

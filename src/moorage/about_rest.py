@@ -51,8 +51,8 @@ def stiffness(model: Model) -> xr.Dataset:
     Returns
     -------
     xarray.Dataset
-        `platform_stiffness` (platform, dof, platform_, dof_), N/m, N/rad, N m/rad: minus the load on a platform by the
-        motion of one, about `platform_origin`.
+        `platform_stiffness` of the dimensions `(platform, dof, platform_, dof_)`, N/m, N/rad, N m/rad: minus the load
+        on a platform by the motion of one, about `platform_origin`.
     """
     _refuse_pinned(model)
     platforms = platforms_of(model)

@@ -53,6 +53,16 @@ class Flavour(StrEnum):
     F = "F"
 
 
+class Picture(StrEnum):
+    """What to draw."""
+
+    profile = "profile"
+    history = "history"
+    envelope = "envelope"
+    spectrum = "spectrum"
+    map = "map"
+
+
 class Guarded(TyperGroup):
     """Commands whose errors are one readable message and an exit code."""
 
@@ -256,12 +266,35 @@ def info(result: ResultFile) -> None:
 @app.command()
 def plot(
     result: ResultFile,
-    output: Annotated[Path | None, typer.Option("-o", metavar="PNG", help="Picture (default: RESULT.png).")] = None,
+    output: Annotated[
+        Path | None, typer.Option("-o", metavar="PNG", help="Picture (default: RESULT.png or RESULT-WHAT.png).")
+    ] = None,
+    what: Annotated[
+        Picture | None,
+        typer.Option(help="One picture: of the shapes, of tension over time, along lines, by frequency."),
+    ] = None,
 ) -> None:
     """Draw tensions over time, the profile of each mooring, and tension and curvature along each cable."""
-    picture = result.with_suffix(".png") if output is None else output
-    moorage.plot.save_figure(moorage.open_result(result), picture)
+    ds = moorage.open_result(result)
+    picture = result.with_name(f"{result.stem}-{what.value}.png" if what else f"{result.stem}.png")
+    picture = picture if output is None else output
+    if what:
+        moorage.plot.save_picture(ds, what.value, picture)
+    else:
+        moorage.plot.save_figure(ds, picture)
     console.out.print(f"figure {picture}", markup=False, soft_wrap=True)
+
+
+@app.command()
+def report(
+    result: ResultFile,
+    output: Annotated[
+        Path | None, typer.Option("-o", metavar="PAGE.html", help="Page (default: RESULT-report.html).")
+    ] = None,
+) -> None:
+    """Write one page about a run: model, surroundings, tables, figures and warnings."""
+    page = moorage.report(result, output)
+    console.out.print(f"page {page}", markup=False, soft_wrap=True)
 
 
 @app.command()

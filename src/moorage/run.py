@@ -60,8 +60,8 @@ def solve_statics(model: Model) -> xr.Dataset:
     -------
     xarray.Dataset
         One instant: `node_position`, `segment_tension`, the end tensions and forces, `point_position`, `point_force`,
-        and `stiffness` (dof, dof_), the 6x6 matrix of the coupled points moved as one rigid platform about the origin,
-        with the verdict `residual` (N) and `iterations`.
+        and `stiffness` of the dimensions `(dof, dof_)`, the 6x6 matrix of the coupled points moved as one rigid
+        platform about the origin, with the verdict `residual` (N) and `iterations`.
 
     Raises
     ------

@@ -37,6 +37,16 @@ def result_figure(ds: xr.Dataset) -> Figure:
     return figure
 
 
+def profiles_figure(ds: xr.Dataset) -> Figure:
+    """Return a figure of how each mooring hangs; of many, all of them together."""
+    groups = moorings(ds)
+    rows = 1 if len(groups) > MOST else -(-len(groups) // COLUMNS)
+    figure = new_figure(WIDTH, rows * LOW)
+    cell = figure.add_gridspec(1, 1)[0, 0]
+    (_together if len(groups) > MOST else _grid)(ds, groups, figure, cell)
+    return figure
+
+
 def save_figure(ds: xr.Dataset, path: str | Path) -> None:
     """Write the figure of a result; the ending of the name chooses the format (png, pdf, svg)."""
     result_figure(ds).savefig(path)

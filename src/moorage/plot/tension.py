@@ -20,7 +20,7 @@ def plot_tension(ds: xr.Dataset, ax: Axes, variable: str = "fairlead_tension") -
     A cable has one tension, that at its hang-off (or at its other end), whichever of its ends that is. Later lines are
     thinner, so that an equal one under them shows.
     """
-    time, (names, values) = ds["time"].values, _series(ds, variable)
+    time, (names, values) = ds["time"].values, series(ds, variable)
     loudest = np.sort(np.argsort(values.max(axis=0))[::-1][: MOST if values.shape[1] <= MOST else 3])
     rest = np.setdiff1d(np.arange(values.shape[1]), loudest)
     for k in rest:
@@ -39,7 +39,7 @@ def plot_tension(ds: xr.Dataset, ax: Axes, variable: str = "fairlead_tension") -
     return ax
 
 
-def _series(ds: xr.Dataset, variable: str) -> tuple[list[str], np.ndarray]:
+def series(ds: xr.Dataset, variable: str) -> tuple[list[str], np.ndarray]:
     """Return names and tensions (time, n), kN, of the cables and of the other lines."""
     of_line = ds[variable].transpose("line", "time").values
     columns = {int(id): (name_of([int(id)]), values) for id, values in zip(ds["line"].values, of_line, strict=True)}

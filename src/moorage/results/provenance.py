@@ -9,6 +9,7 @@ from datetime import UTC, datetime
 
 from moorage.model import Model, Motion, OutputChannel
 from moorage.results.sea import sea_attributes
+from moorage.words import current_words
 
 
 def run_attributes(
@@ -33,6 +34,7 @@ def run_attributes(
         "water_density": float(model.environment.water_density),
         **_seabed(model),
         **sea_attributes(model.environment.waves),
+        **_current(model),
         **_readings(model),
     }
 
@@ -55,6 +57,12 @@ def _seabed(model: Model) -> dict[str, str]:
         "bathymetry": ", ".join(filter(None, [grid.file or "a grid", str(grid.resampling or "")])),
         "bathymetry_interpolation": "bicubic" if grid.smooth else "bilinear",
     }
+
+
+def _current(model: Model) -> dict[str, str]:
+    """Return the current in words, where there is one."""
+    words = current_words(model.environment.current)
+    return {"current": words} if words else {}
 
 
 def _readings(model: Model) -> dict[str, str]:
