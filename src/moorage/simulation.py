@@ -131,9 +131,10 @@ class Simulation:
         return vector
 
     def water_nodes(self) -> np.ndarray:
-        """Return where the water acts, (n, 3), m: nodes of the lines in the order of the file, points, ends of rods.
+        """Return where the water acts, (n, 3), m: nodes of lines, then of rods, points, ends of rods.
 
-        The nodes of a line go from end A to end B and include both.
+        The nodes of a line go from end A to end B and include both. Rods and bodies that forces move have two more rows
+        each at the end; the water of the second has no effect.
         """
         return self._host.water_nodes()
 

@@ -110,6 +110,25 @@ def test_a_line_that_breaks_off_a_body_leaves_all_else_where_it_is(system):
     np.testing.assert_allclose(moordyn.GetPointPos(moordyn.GetPoint(system, 3)), after[:3] + arm, atol=1e-9)
 
 
+def test_a_line_that_fails_at_a_rod(path):
+    """It comes off the end of the rod at its time, and holds on to a point of its own there."""
+    text = DECK.replace("2   nylon     2      3  ", "2   nylon     2      R1B").replace(
+        "---- SOLVER",
+        "---- FAILURE ----\nID Point Lines FailTime FailTen\n(-) (-) (-) (s) (N)\n1 R1B 2 0.2 0\n---- SOLVER",
+    )
+    path.write_text(text)
+    system = moordyn.Create(str(path))
+    assert moordyn.Init(system, [], []) == 0
+    run(system, 3)
+    assert moordyn.GetNumberPoints(system) == 3
+    run(system, 1)
+    assert moordyn.GetNumberPoints(system) == 4
+    end = moordyn.GetRodNodePos(moordyn.GetRod(system, 1), 4)
+    np.testing.assert_allclose(moordyn.GetPointPos(moordyn.GetPoint(system, 4)), end, atol=1e-12)
+    run(system, 4)
+    assert np.linalg.norm(np.subtract(moordyn.GetPointPos(moordyn.GetPoint(system, 4)), end)) > 0.01
+
+
 def test_mass_matrices(system):
     """A body's own, its added mass and the point on it; a rod's about its end A, mass by mass of its nodes."""
     run(system)

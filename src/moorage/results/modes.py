@@ -68,7 +68,7 @@ def modes_report(ds: xr.Dataset) -> list[dict[str, str | float | None]]:
                 "frequency": _number(ds["frequency"][k]),
                 "period": _number(ds["period"][k]),
                 "moves": moves,
-                "along": XYZ[int(np.argmax(motion))],
+                "along": XYZ[int(np.argmax(motion))] if motion.any() else "",  # nothing but rods and bodies moves
             }
         )
     return report
