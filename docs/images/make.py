@@ -63,9 +63,8 @@ def plots() -> None:
     for what in ("envelope", "spectrum"):
         moorage.plot.save_picture(run, what, HERE / f"plot_{what}.png")
         drawn = Image.open(HERE / f"plot_{what}.png").convert("RGB")
-        drawn.resize((900, 900 * drawn.height // drawn.width), Image.Resampling.LANCZOS).quantize(64).save(
-            HERE / f"plot_{what}.png", optimize=True
-        )
+        size = 900, 900 * drawn.height // drawn.width
+        drawn.resize(size, Image.Resampling.LANCZOS).save(HERE / f"plot_{what}.png", optimize=True)
 
 
 def main() -> None:
