@@ -11,6 +11,7 @@ ROOT = Path(__file__).resolve().parents[1]
 CASES = ROOT / "tests" / "verification"
 PAGE = ROOT / "docs" / "verification.md"
 
+NEAR = r"\b(within|asked|allowed|tolerance|must be|at most|less than|below \d|agree to|asserted)\b"
 HEAD = """# Verification
 
 Forces and solvers are compared with exact or published answers. Tolerances are derived where a comparison is described,
@@ -18,6 +19,9 @@ rates of convergence are asserted where there are any, and nearly every comparis
 `python docs/verification_page.py` makes this page from the docstrings of the tests, and
 `python -m pytest tests/verification` runs them all. Two comparisons have pages of their own:
 [cables](studies/bending-2020.md) and [the seabed](studies/seabed-2022.md).
+
+The table has of each case one sentence on how near the two must be; formulas, sources and the reasons for tolerances
+stand below it.
 
 """
 
@@ -38,18 +42,26 @@ def parts(text: str) -> tuple[str, str, list[str]]:
     return " ".join(paragraphs[0].split()), verified.removeprefix("Verifies:").strip(), rest
 
 
+def near(rest: list[str]) -> str:
+    """Return the first sentence that says how near the two must be, if a sentence alone does."""
+    prose = [" ".join(p.split()) for p in rest if not p.startswith("    ")]
+    sentences = [s for p in prose for s in re.split(r"(?<=[.:;])\s+(?=[A-Z])", p)]
+    return next((s for s in sentences if re.search(NEAR, s) and re.search(r"\d", s)), "")
+
+
 def page() -> str:
     """Return the page."""
     rows, sections = [], []
     for name, text in cases():
         what, verified, rest = parts(text)
+        how_near = near(rest)
         title = name.removeprefix("test_").removesuffix(".py").replace("_", " ")
-        rows.append(f"| [{title}](#{title.replace(' ', '-')}) | {cell(what)} | {verified} |")
+        rows.append(f"| [{title}](#{title.replace(' ', '-')}) | {cell(what)} | {verified} | {cell(how_near)} |")
         body = "\n\n".join(map(shown, rest))
         sections.append(
             f"## {title}\n\n{shown(what)}\n\n" + (f"{body}\n\n" if body else "") + f"Test: `tests/verification/{name}`."
         )
-    table = "| case | what is compared | part |\n|---|---|---|\n" + "\n".join(rows)
+    table = "| case | what is compared | part | how near |\n|---|---|---|---|\n" + "\n".join(rows)
     return HEAD + table + "\n\n" + "\n\n".join(sections) + "\n"
 
 

@@ -1,4 +1,4 @@
-"""Makes the pictures of the documents: pages of `moorage.view` as headless Chromium shows them.
+"""Makes the pictures of the documents: pages of `moorage.view` as headless Chromium shows them, and plots.
 
 python docs/images/make.py   (needs chromium, chromedriver and `pip install moorage[dev]`)
 """
@@ -57,8 +57,19 @@ def keep(png: bytes, name: str) -> None:
     picture.save(HERE / name, optimize=True)
 
 
+def plots() -> None:
+    """Draw what `moorage plot` draws."""
+    run = turbine()
+    for what in ("envelope", "spectrum"):
+        moorage.plot.save_picture(run, what, HERE / f"plot_{what}.png")
+        drawn = Image.open(HERE / f"plot_{what}.png").convert("RGB")
+        size = 900, 900 * drawn.height // drawn.width
+        drawn.resize(size, Image.Resampling.LANCZOS).save(HERE / f"plot_{what}.png", optimize=True)
+
+
 def main() -> None:
     """Make all pictures."""
+    plots()
     with tempfile.TemporaryDirectory() as folder:
         for page in browser.start(Path(folder) / "profile"):
             browser.show(page, moorage.view(turbine()).save(Path(folder) / "turbine.html"))

@@ -93,7 +93,7 @@ def report_page(ds: xr.Dataset) -> str:
         _section("Seabed", _seabed(ds)),
         _section("Cables", _cables(ds)),
         _section("Figures", "".join(_figures(ds))),
-        f"<details><summary>Input</summary><pre>{escape(str(ds.attrs.get('input', '')))}</pre></details>",
+        _input(ds.attrs),
     ]
     head = f'<meta charset="utf-8"><meta name="viewport" content="width=device-width"><title>{title}</title>'
     body = "\n".join(filter(None, parts))
@@ -124,8 +124,8 @@ def _run(attrs: Mapping[str, object]) -> dict[str, str]:
     stepping = f"tolerance {attrs['tolerance']:g} m" if step == "adaptive" else f"step {step:g} s"
     counts = f": {attrs['steps']} steps, {attrs['rejected']} rejected" if "steps" in attrs else ""
     return {
-        "input": f"{attrs['input_file']} ({attrs['input_format']})",
-        "SHA-256 of the input": str(attrs["input_sha256"]),
+        "input": f"{attrs['input_file'] or 'made in Python'} ({attrs['input_format']})",
+        "SHA-256 of the input": str(attrs["input_sha256"]) if attrs["input"] else "",
         "motion": str(attrs["motion"]),
         "time": f"{attrs['duration']:g} s, results every {attrs['dt_out']:g} s, start {attrs['start']}",
         "method": f"{attrs['method']}, {stepping}{counts}",
@@ -243,10 +243,15 @@ def _figures(ds: xr.Dataset) -> Iterable[str]:
 def _figure(figure: Figure, caption: str) -> str:
     """Return a figure as PNG in the page: lines of long runs would be megabytes as SVG."""
     with io.BytesIO() as buffer:
-        figure.savefig(buffer, format="png")
+        figure.savefig(buffer, format="png", bbox_inches="tight")
         data = base64.b64encode(buffer.getvalue()).decode()
     words = escape(caption)
     return f'<figure><img alt="{words}" src="data:image/png;base64,{data}"><figcaption>{words}</figcaption></figure>'
+
+
+def _input(attrs: Mapping[str, object]) -> str:
+    text = escape(str(attrs["input"]))
+    return f"<details><summary>Input</summary><pre>{text}</pre></details>" if text else ""
 
 
 def _section(title: str, body: str) -> str:

@@ -96,6 +96,13 @@ def test_waves_and_current_are_told():
     assert "m/s at z = 0 m" in text
 
 
+def test_a_model_without_a_file_has_no_input(run):
+    text = " ".join(Reader(report_page(run.assign_attrs(input="", input_file="", input_format="native"))).text)
+    assert "made in Python (native)" in text
+    assert "SHA-256" not in text
+    assert "Input" not in text
+
+
 def test_a_cable_has_its_table():
     ds = moorage.simulate(moorage.read(EXAMPLES / "lazy_wave" / "lazy_wave.yaml"), duration=1.0)
     text = Reader(report_page(ds)).text

@@ -22,3 +22,10 @@ def test_every_case_says_what_it_compares():
 def test_marks_by_accident_are_escaped():
     escaped = runpy.run_path(str(SCRIPT))["escaped"]
     assert escaped("a_b * c [1] `d_e`") == "a\\_b \\* c \\[1\\] `d_e`"
+
+
+def test_the_sentence_on_how_near_has_a_number():
+    near = runpy.run_path(str(SCRIPT))["near"]
+    rest = ["It falls. Errors must be below 1e-3 of it. More within 2 m.", "    x = within 3"]
+    assert near(rest) == "Errors must be below 1e-3 of it."
+    assert near(["Nothing is said of within what."]) == ""

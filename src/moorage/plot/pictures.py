@@ -44,7 +44,7 @@ def picture(ds: xr.Dataset, what: str) -> Figure:
 
 def save_picture(ds: xr.Dataset, what: str, path: str | Path) -> None:
     """Write one picture of a result; the ending of the name chooses the format (png, pdf, svg)."""
-    picture(ds, what).savefig(path)
+    picture(ds, what).savefig(path, bbox_inches="tight")
 
 
 def _history(ds: xr.Dataset) -> Figure:

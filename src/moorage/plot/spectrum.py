@@ -53,7 +53,7 @@ def plot_spectrum(
     ax.set_ylim(bottom=0.0)
     ax.set_xlabel("frequency (Hz)", fontsize=9)
     ax.set_ylabel(f"spectrum of the {variable.replace('_', ' ')} (kN²/Hz)", fontsize=9)
-    ax.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=7, frameon=False, fontsize=8, borderaxespad=0.2)
+    ax.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=6, frameon=False, fontsize=8, borderaxespad=0.2)
     return ax
 
 
