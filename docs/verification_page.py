@@ -20,7 +20,7 @@ rates of convergence are asserted where there are any, and nearly every comparis
 `python -m pytest tests/verification` runs them all. Two comparisons have pages of their own:
 [cables](studies/bending-2020.md) and [the seabed](studies/seabed-2022.md).
 
-The table has of each case one sentence on how near the two must be; formulas, sources and the reasons for tolerances stand
+The table has of each case one sentence on how near the two must be; formulas, sources and reasons for tolerances stand
 below it.
 
 """
