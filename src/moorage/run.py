@@ -34,6 +34,7 @@ from moorage.results import (
     seabed_of,
     static_dataset,
     warn_of_lines_off_the_grid,
+    warn_of_overloads,
     warn_of_repetition,
     warn_of_short_current,
     warn_of_tight_bends,
@@ -83,6 +84,7 @@ def solve_statics(model: Model) -> xr.Dataset:
         _layout(model, built, "time"), block, stiffness, equilibrium.residual, equilibrium.iterations, attrs
     )
     warn_of_tight_bends(ds)
+    warn_of_overloads(ds)
     warn_of_lines_off_the_grid(ds)
     return ds
 
@@ -230,6 +232,7 @@ def simulate(
         remove_checkpoint(writer.path)
     mark_warm()
     warn_of_tight_bends(result)
+    warn_of_overloads(result)
     warn_of_lines_off_the_grid(result)
     return result
 

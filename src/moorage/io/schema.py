@@ -236,6 +236,7 @@ SCHEMA: dict[str, dict[str, Key]] = {
         "viv_range": Key("number", "-", "dF of vortex-induced vibration"),
         "viv_centre": Key("number", "-", "cF of vortex-induced vibration"),
         "minimum_bend_radius": Key("number", "m", "allowed bend radius"),
+        "minimum_breaking_load": Key("number", "N", "tension that a new line is sure to bear"),
         "carries_compression": Key("flag", "-", "segments push when shorter than unstretched; false: they go slack"),
         "viscoelastic": Key("numbers", "N, -", "dynamic stiffness: EA_d, or c and m of EA_d = c + m T_mean"),
         "dynamic_damping": Key("number", "N s", "damping in series with the dynamic stiffness"),

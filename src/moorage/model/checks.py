@@ -122,7 +122,7 @@ def line_types_are_possible(model: Model) -> Iterator[Problem]:
     weak = (
         "mass_per_length axial_damping bending_stiffness bending_damping transverse_drag tangential_drag "
         "transverse_added_mass tangential_added_mass lift_coefficient viv_range viv_centre viscoelastic "
-        "dynamic_damping axial_damping_ratio minimum_bend_radius"
+        "dynamic_damping axial_damping_ratio minimum_bend_radius minimum_breaking_load"
     )
     for line_type in model.line_types:
         name = f"line type {line_type.name}"

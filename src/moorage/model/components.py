@@ -55,6 +55,8 @@ class LineType:
         Cl, dF and cF of the vortex-induced-vibration model, -; zero `lift_coefficient` switches it off.
     minimum_bend_radius : float or None
         Allowed bend radius, m.
+    minimum_breaking_load : float or None
+        Tension that a new line is sure to bear, N; results tell which part of it is used.
     carries_compression : bool
         Whether a segment pushes when it is shorter than unstretched; MoorDyn's never does, and without bending
         stiffness nothing would keep it straight.
@@ -83,6 +85,7 @@ class LineType:
     viv_range: float = 0.08
     viv_centre: float = 0.18
     minimum_bend_radius: float | None = None
+    minimum_breaking_load: float | None = None
     carries_compression: bool = False
     viscoelastic: tuple[float, ...] = ()
     dynamic_damping: float = 0.0

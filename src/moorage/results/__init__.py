@@ -17,6 +17,7 @@ from moorage.results.columns import Layout
 from moorage.results.dataset import join_columns, line, static_dataset, to_dataset
 from moorage.results.envelopes import envelope
 from moorage.results.index import Index, make_index
+from moorage.results.load_check import overloads, warn_of_overloads
 from moorage.results.memory import MemoryResult
 from moorage.results.modes import modes_report, stiffness_report
 from moorage.results.moordyn_out import MoordynOut
@@ -58,6 +59,7 @@ __all__ = [
     "make_index",
     "modes_report",
     "open_result",
+    "overloads",
     "plan_outputs",
     "remove_checkpoint",
     "run_attributes",
@@ -71,6 +73,7 @@ __all__ = [
     "tight_bends",
     "to_dataset",
     "warn_of_lines_off_the_grid",
+    "warn_of_overloads",
     "warn_of_repetition",
     "warn_of_short_current",
     "warn_of_tight_bends",

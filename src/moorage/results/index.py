@@ -36,6 +36,8 @@ class Index:
         Line id, unstretched length from end A to the middle, and of the segment, m.
     outer_diameter, bending_stiffness : (segments,)
         With modules and stiffeners, m and N m2.
+    breaking_load : (segments,)
+        Of the line type, N; 0 where it does not say.
     """
 
     line: np.ndarray
@@ -55,6 +57,7 @@ class Index:
     unstretched_length: np.ndarray
     outer_diameter: np.ndarray
     bending_stiffness: np.ndarray
+    breaking_load: np.ndarray
 
     @property
     def sizes(self) -> dict[str, int]:
@@ -68,8 +71,9 @@ class Index:
         }
 
     def coordinates(self) -> dict[str, np.ndarray]:
-        """Return the values of every coordinate but time, by name."""
-        return {**vars(self), "xyz": np.array(XYZ, dtype=object)}
+        """Return the values of every coordinate but time, by name; breaking loads only where a type gives one."""
+        known = {**vars(self), "xyz": np.array(XYZ, dtype=object)}
+        return known if self.breaking_load.any() else {n: v for n, v in known.items() if n != "breaking_load"}
 
 
 def make_index(model: Model, names: Names) -> Index:
@@ -78,6 +82,7 @@ def make_index(model: Model, names: Names) -> Index:
     holders, segments = _holders(model), segment_table(model)[: names.segment_ptr[-1]]
     sections = [section for line in model.lines for section in line.sections]
     allowed = [model.line_type(section.line_type).minimum_bend_radius or 0.0 for section in sections]
+    strength = [model.line_type(section.line_type).minimum_breaking_load or 0.0 for section in sections]
     return Index(
         line=names.lines,
         point=names.points,
@@ -96,6 +101,7 @@ def make_index(model: Model, names: Names) -> Index:
         unstretched_length=names.segment_length,
         outer_diameter=np.ascontiguousarray(segments["diameter"]),
         bending_stiffness=np.ascontiguousarray(segments["bending_stiffness"]),
+        breaking_load=np.repeat(strength, [section.segments for section in sections]),
     )
 
 

@@ -37,7 +37,7 @@ class Quantity:
     def words(self) -> dict:
         """What a page is told."""
         low, high = (float(f(self.values)) if self.values.size else 0.0 for f in (np.min, np.max))
-        if self.key == "utilisation":
+        if self.key in ("utilisation", "load"):
             low, high = 0.0, max(high, 1.0)
         if not high - low > 1e-6 * max(abs(high), 1e-9):
             low, high = low - 0.5 * max(abs(low), 1e-6), high + 0.5 * max(abs(high), 1e-6)
@@ -56,6 +56,11 @@ def quantities(ds: xr.Dataset, frames: slice, position: np.ndarray) -> list[Quan
         Quantity("curvature", "Curvature", "1/m", bent),
         _contact(ds, frames, position),
     ]
+    if _has_strength(ds):
+        strength = ds["breaking_load"].values
+        tension = _rows(ds, "segment_tension", frames)
+        used = np.where(strength > 0.0, tension / np.where(strength > 0.0, strength, 1.0), 0.0)
+        found.append(Quantity("load", "Tension of breaking load", "", at_nodes(used, starts)))
     if _has_limits(ds):
         used = bent * ds["allowed_bend_radius"].values
         found.append(Quantity("utilisation", "Bend utilisation", "", used))
@@ -64,7 +69,7 @@ def quantities(ds: xr.Dataset, frames: slice, position: np.ndarray) -> list[Quan
 
 def count(ds: xr.Dataset) -> int:
     """Return the number of quantities of a result."""
-    return 4 if _has_limits(ds) else 3
+    return 3 + _has_limits(ds) + _has_strength(ds)
 
 
 def line_starts(ds: xr.Dataset) -> np.ndarray:
@@ -90,6 +95,10 @@ def at_nodes(values: np.ndarray, starts: np.ndarray) -> np.ndarray:
 
 def _has_limits(ds: xr.Dataset) -> bool:
     return "allowed_bend_radius" in ds.coords and bool(ds["allowed_bend_radius"].values.any())
+
+
+def _has_strength(ds: xr.Dataset) -> bool:
+    return "breaking_load" in ds.coords
 
 
 def _rows(ds: xr.Dataset, name: str, frames: slice) -> np.ndarray:

@@ -278,9 +278,10 @@ def _outputs(model: Model, flavour: Flavour, notes: list[str]) -> list[str]:
 def _unsaid(model: Model) -> list[str]:
     """Return what MoorDyn's tables have no place for."""
     notes = [
-        f"line type {t.name}: minimum bend radius has no place in the file"
+        f"line type {t.name}: {field.replace('_', ' ')} has no place in the file"
         for t in model.line_types
-        if t.minimum_bend_radius is not None
+        for field in ("minimum_bend_radius", "minimum_breaking_load")
+        if getattr(t, field) is not None
     ]
     for kind, things in (("line", model.lines), ("point", model.points), ("rod", model.rods), ("body", model.bodies)):
         named = [f"{thing.id} ({thing.name})" for thing in things if thing.name]  # type: ignore[attr-defined]
