@@ -88,7 +88,7 @@ _TABLE = (
     Variable("outer_diameter", "", ("segment",), "m", "of a segment, with modules and stiffeners"),
     Variable("bending_stiffness", "EI", ("segment",), "N m2", "of a segment, stiffeners included; of tables: at first"),
     Variable("allowed_bend_radius", "R_0", ("node",), "m", "smallest radius that the line types allow, 0: any"),
-    Variable("breaking_load", "", ("segment",), "N", "tension that the line type is sure to bear when new, 0: not said"),
+    Variable("breaking_load", "", ("segment",), "N", "tension that the line type is sure to bear, 0: not said"),
     Variable("unstretched_length", "l", ("segment",), "m", "unstretched length of a segment"),
     Variable("stiffness", "K", ("dof", "dof_"), "N m-1", "of the coupled points moved as one platform, in N, m, rad"),
     Variable("dof", "", ("dof",), "1", "force or moment on the platform"),
