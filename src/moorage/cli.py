@@ -394,7 +394,7 @@ def read_case(file: Path, motion: Path | None, duration: float | None, raise_to_
 def announce_compiling() -> None:
     """Say why the first run takes long."""
     if moorage.is_cold():
-        console.say("compiling the kernels for this machine, once (about two minutes) ...")
+        console.say("compiling the kernels for this machine, once (about three minutes) ...")
 
 
 def show_run(ds: xr.Dataset) -> None:
