@@ -46,10 +46,12 @@ def scene_of(result: xr.Dataset, model: Model | None = None) -> Scene:
         raise ResultError(Problem("the result holds no instant, or no lines", "run it for longer"))
     frames, thinned = shown_frames(whole, (3 + count(ds)) * ds.sizes["node"] + 3 * ds.sizes["point"])
     time, position, starts = whole[frames], ds["node_position"][frames].values, line_starts(ds)
-    region, colours = region_of(position), quantities(ds, frames, position)
+    colours = quantities(ds, frames, position)
     places, labels = markers(ds, position, time)
     rod_ends, rod_names = rods(ds, model, time)
     body_places, body_names = bodies(ds, time)
+    shown = np.concatenate([position, rod_ends, body_places[..., :3]], axis=1)
+    region = region_of(shown)
     bed, level, beyond = ground(ds, region)
     water, short = sea(ds, region)
     past_time, past = end_tensions(ds)
@@ -67,8 +69,8 @@ def scene_of(result: xr.Dataset, model: Model | None = None) -> Scene:
         "time": _numbers(time),
         "depth": float(ds.attrs["water_depth"]),
         "region": _numbers(region),
-        "low": _numbers(position.min(axis=(0, 1))),
-        "high": _numbers(position.max(axis=(0, 1))),
+        "low": _numbers(shown.min(axis=(0, 1))),
+        "high": _numbers(shown.max(axis=(0, 1))),
         "lines": _lines(ds, starts),
         "quantities": [q.words for q in colours],
         "markers": labels,
