@@ -115,6 +115,17 @@ def _has_sense(asked: Values, useless: set[str], found: Findings) -> bool:
         if key in asked and not asked[key] > 0.0:
             found.add(f"{key} of the waves must be positive", "correct it", asked["source"], asked[key])
             return False
+    if asked.get("order", 1) > 5 and asked["spectrum"] == "stokes":
+        found.add(
+            "order of a stokes wave is at most 5", "give 1 to 5, or a stream-function", asked["source"], asked["order"]
+        )
+        return False
+    if asked.get("seed", 0) < 0:
+        found.add("seed of the waves must not be negative", "correct it", asked["source"], asked["seed"])
+        return False
+    if any(not value > 0.0 for value in asked.get("shape", ())):
+        found.add("shape of the waves must be positive", "correct it", asked["source"], asked["shape"])
+        return False
     for key in ("second", "shape"):
         if len(asked.get(key, (1.0, 1.0))) != 2:
             found.add(f"{key} of the waves has {len(asked[key])} values", "give two", asked["source"], asked[key])

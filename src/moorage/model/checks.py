@@ -32,7 +32,14 @@ from moorage.model.current_grid import CurrentGrid
 from moorage.model.environment import Bathymetry, FrictionMap, StiffnessMap
 from moorage.model.model import Model
 from moorage.model.seabed import below_seabed
-from moorage.model.water_checks import current_is_possible, steep_waves, waves_are_given_once, waves_are_possible
+from moorage.model.water_checks import (
+    current_is_possible,
+    doubtful_current,
+    doubtful_directions,
+    steep_waves,
+    waves_are_given_once,
+    waves_are_possible,
+)
 
 Check = Callable[[Model], Iterator[Problem]]
 
@@ -54,7 +61,10 @@ def problems_of(model: Model) -> list[Problem]:
 
 def suspicious(model: Model) -> list[Problem]:
     """Return what can be run but is hardly meant."""
-    doubts = (pinned_junctions, weak_friction, points_off_the_grid, anchors_over_the_bed, steep_waves)
+    doubts = (
+        pinned_junctions, weak_friction, points_off_the_grid, anchors_over_the_bed, steep_waves, doubtful_current,
+        doubtful_directions,
+    )  # fmt: skip
     return [problem for doubt in doubts for problem in doubt(model)]
 
 

@@ -10,6 +10,7 @@ import numpy as np
 from moorage.errors import Problem
 from moorage.model.current_grid import CurrentGrid
 from moorage.model.model import Model
+from moorage.model.waves import Waves
 
 
 def current_is_possible(model: Model) -> Iterator[Problem]:
@@ -20,6 +21,8 @@ def current_is_possible(model: Model) -> Iterator[Problem]:
         return
     if len(current.z) != len(current.velocity) or not current.z:
         yield Problem("current has not one velocity for each level", "give both for each level", current.source)
+    if any(len(v) != 3 for v in current.velocity):
+        yield Problem("a velocity of the current has not three components", "give x, y and z", current.source)
     if any(b <= a for a, b in pairwise(current.z)):
         yield Problem("levels of the current do not increase", "sort them, each once", current.source, current.z)
 
@@ -77,7 +80,26 @@ def waves_are_possible(model: Model) -> Iterator[Problem]:
     if len(set(counts.values())) > 1:
         given = ", ".join(f"{count} of {name}" for name, count in counts.items())
         yield Problem("components of the waves do not have one of each", "give as many of each", waves.source, given)
-    lowest = min(waves.frequency, default=1.0)
+    if not waves.frequency:
+        yield Problem("there is no wave component", "give some, or remove waves", waves.source)
+        return
+    values = (
+        *waves.frequency,
+        *waves.amplitude,
+        *waves.phase,
+        *waves.direction,
+        waves.depth,
+        waves.gravity,
+        waves.ramp,
+    )
+    if not np.isfinite(values).all():
+        yield Problem("a value of the waves is not finite", "give numbers", waves.source)
+        return
+    if not waves.gravity > 0.0:
+        yield Problem("waves need gravity", "give gravity, or remove waves", waves.source, waves.gravity)
+    if waves.ramp < 0.0:
+        yield Problem("ramp of the waves must not be negative", "correct it", waves.source, waves.ramp)
+    lowest = min(waves.frequency)
     if not lowest > 0.0:
         yield Problem("frequency of a wave component must be positive", "correct or remove it", waves.source, lowest)
     if not waves.depth > 0.0:
@@ -87,11 +109,16 @@ def waves_are_possible(model: Model) -> Iterator[Problem]:
 def steep_waves(model: Model) -> list[Problem]:
     """Return a doubt about a sea that is steeper than seas are.
 
-    2 pi Hs / (g Tp^2) is at most 1/15 for Tp up to 8 s and 1/25 from 15 s on, linear between (DNV-RP-C205, 3.5.4).
+    2 pi Hs / (g Tp^2) is at most 1/15 for Tp up to 8 s and 1/25 from 15 s on, linear between (DNV-RP-C205, 3.5.4); a
+    regular wave breaks at 0.142 of its length times tanh(k d) (Miche).
     """
     waves = model.environment.waves
-    if waves is None or waves.is_regular:
+    if waves is None:
         return []
+    if waves.is_regular:
+        if waves.wavenumbers:
+            return []  # a steep theory has looked at that
+        return _breaking(waves)
     asked = dict(waves.asked)
     height, period = asked.get("height", waves.significant_height), asked.get("period", waves.peak_period)
     assert isinstance(height, float | int)
@@ -102,3 +129,39 @@ def steep_waves(model: Model) -> list[Problem]:
         return []
     what = f"a sea of Hs {height:.3g} m and Tp {period:.3g} s is steeper than seas are"
     return [Problem(what, f"Hs is at most {highest:.3g} m there (DNV-RP-C205)", waves.source)]
+
+
+def _breaking(waves: Waves) -> list[Problem]:
+    k, height = float(waves.wavenumber[0]), 2.0 * abs(waves.amplitude[0])
+    highest = 0.142 * 2.0 * np.pi / k * float(np.tanh(k * waves.depth))
+    if height <= highest:
+        return []
+    what = f"a wave of {height:.3g} m would break: it is {2.0 * np.pi / k:.3g} m long"
+    return [Problem(what, f"it breaks at {highest:.3g} m (Miche)", waves.source)]
+
+
+def doubtful_current(model: Model) -> list[Problem]:
+    """Return doubts about levels above the water, and about a grid that begins late or stops short in depth."""
+    current = model.environment.current
+    doubts = []
+    if max(current.z, default=0.0) > 0.0:
+        what = f"the current has a level {max(current.z):g} m above the water"
+        doubts.append(Problem(what, "levels are z: negative below the water", current.source))
+    if isinstance(current, CurrentGrid):
+        if current.t[0] > 0.0:
+            what = f"the current begins at {current.t[0]:g} s; before, its first values hold"
+            doubts.append(Problem(what, "give values from time 0 s", current.source))
+        lowest = min((point.position[2] for point in model.points if point.body is None), default=0.0)
+        if len(current.z) > 1 and lowest < current.z[0] - 1e-6:
+            what = f"the grid of the current ends {current.z[0] - lowest:.4g} m above the lowest point of the model"
+            doubts.append(Problem(what, "give levels down to there; below, the lowest values hold", current.source))
+    return doubts
+
+
+def doubtful_directions(model: Model) -> list[Problem]:
+    """Return a doubt about directions of components that are no angles in radians."""
+    waves = model.environment.waves
+    far = max((abs(d) for d in waves.direction), default=0.0) if waves else 0.0
+    if waves is None or far <= 2.0 * np.pi + 1e-6:
+        return []
+    return [Problem(f"a wave component has the direction {far:g} rad", "give radians, or check it", waves.source)]

@@ -47,7 +47,8 @@ def as_water(time: float, count: int, elevation, velocity, acceleration) -> np.n
         ("acceleration", acceleration, 3),
     ):
         part = np.zeros((count, width)) if values is None else np.asarray(values, float)
-        if part.size != count * width or not np.isfinite(part).all():
+        shapes = ((count, width), (count,)) if width == 1 else ((count, width),)
+        if part.shape not in shapes or not np.isfinite(part).all():
             wrong = "" if np.isfinite(part).all() else " with NaN or inf in it"
             size = f"{count} x {width}" if width > 1 else str(count)
             raise SimulationError(
