@@ -10,18 +10,17 @@ import os
 import warnings
 from enum import StrEnum
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, NamedTuple
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 from typer.core import TyperGroup
 
 import moorage  # its names are imported when they are used: --help must not wait for numba, xarray and matplotlib
 from moorage import console
+from moorage.case import read_case
 
 if TYPE_CHECKING:
     import xarray as xr
-
-    from moorage import Model, Motion
 
 
 class Method(StrEnum):
@@ -193,7 +192,8 @@ def static(
     if as_json:
         typer.echo(json.dumps(moorage.results.static_report(ds), indent=2, allow_nan=False))
     else:
-        console.static_tables(ds, moorage.results.cable_reports(ds), moorage.results.seabed_reports(ds))
+        results = moorage.results
+        console.static_tables(ds, results.cable_reports(ds), results.seabed_reports(ds), results.object_summaries(ds))
 
 
 @app.command()
@@ -365,32 +365,6 @@ def warmup() -> None:
     console.out.print(f"kernels are ready ({moorage.warmup():.1f} s)")
 
 
-class Case(NamedTuple):
-    """A model with what a driver file or the command line says about its run."""
-
-    model: Model
-    motion: Motion | None
-    duration: float
-    dt_out: float | None
-
-
-def read_case(file: Path, motion: Path | None, duration: float | None, raise_to_seabed: bool) -> Case:
-    """Read a model or a driver file; what the command line says comes first."""
-    if file.is_file() and moorage.io.is_driver(file.read_text(errors="replace")):
-        driver = moorage.io.read_driver(file, raise_to_seabed)
-        case = Case(driver.model, driver.motion, driver.duration, driver.interval)
-    else:
-        case = Case(moorage.read(file, raise_to_seabed), None, 0.0, None)
-    if motion is not None:
-        moved = moorage.io.read_motion(motion, case.model)
-        case = case._replace(motion=moved, duration=moved.duration)
-    if duration is None and not case.duration:
-        raise typer.BadParameter("there is no motion to take it from; give seconds", param_hint="--duration")
-    return case._replace(
-        duration=case.duration if duration is None else duration, dt_out=case.model.output_interval or case.dt_out
-    )
-
-
 def announce_compiling() -> None:
     """Say why the first run takes long."""
     if moorage.is_cold():
@@ -404,6 +378,9 @@ def show_run(ds: xr.Dataset) -> None:
     seabed = moorage.results.seabed_reports(ds)
     if seabed:
         console.seabed_table(seabed)
+    objects = moorage.results.object_summaries(ds)
+    if objects:
+        console.object_table(objects, run=True)
 
 
 def main() -> None:

@@ -23,7 +23,7 @@ if TYPE_CHECKING:  # xarray is heavy, and --help must be light
     import xarray as xr
 
     from moorage.model import Model
-    from moorage.results import CableReport, LineSummary, SeabedReport
+    from moorage.results import CableReport, LineSummary, ObjectSummary, SeabedReport
 
 out, err = Console(highlight=False), Console(stderr=True, highlight=False)
 
@@ -166,8 +166,13 @@ def _number(value: float, digits: int) -> str:
     return f"{value:.{digits}f}" if isfinite(value) else "-"
 
 
-def static_tables(ds: xr.Dataset, cables: Sequence[CableReport] = (), seabed: Sequence[SeabedReport] = ()) -> None:
-    """Print a static solution: lines, seabed, cables, points, stiffness, verdict."""
+def static_tables(
+    ds: xr.Dataset,
+    cables: Sequence[CableReport] = (),
+    seabed: Sequence[SeabedReport] = (),
+    objects: Sequence[ObjectSummary] = (),
+) -> None:
+    """Print a static solution: lines, seabed, cables, points, bodies and rods, stiffness, verdict."""
     unit, scale = tension_unit(float(ds["fairlead_tension"].max()))
     table = _table(
         f"Static equilibrium ({unit}, deg, m)",
@@ -189,11 +194,28 @@ def static_tables(ds: xr.Dataset, cables: Sequence[CableReport] = (), seabed: Se
         force = [f"{v / scale:.2f}" for v in ds["point_force"].values[k]]
         table.add_row(str(id), str(ds["point_kind"].values[k]), *position, *force)
     _print(table)
-    table = _table("\nStiffness of the coupled points as one platform (N, m, rad)", ["", *map(str, ds["dof"].values)])
-    for name, row in zip(ds["dof"].values, ds["stiffness"].values, strict=True):
-        table.add_row(str(name), *(f"{v:.3e}" for v in row))
-    _print(table)
+    if objects:
+        object_table(objects, run=False)
+    if ds["stiffness"].values.any():
+        table = _table(
+            "\nStiffness of the coupled points as one platform (N, m, rad)", ["", *map(str, ds["dof"].values)]
+        )
+        for name, row in zip(ds["dof"].values, ds["stiffness"].values, strict=True):
+            table.add_row(str(name), *(f"{v:.3e}" for v in row))
+        _print(table)
     out.print(f"\nlargest out-of-balance force {float(ds['residual']):.2e} N after {int(ds['iterations'])} iterations")
+
+
+def object_table(rows: Sequence[ObjectSummary], run: bool) -> None:
+    """Print where bodies and ends of rods are: at rest, or in a run."""
+    columns = ["start", "end", "lowest", "highest"] if run else ["at rest"]
+    table = _table("\nBodies and ends of rods (m, deg)", ["", "", *columns])
+    before = ""
+    for row in rows:
+        values = (row.start, row.end, row.lowest, row.highest) if run else (row.start,)
+        table.add_row("" if row.name == before else row.name, row.coordinate, *(_number(v, 2) for v in values))
+        before = row.name
+    _print(table)
 
 
 def mode_table(modes: Sequence[Mapping[str, Any]]) -> None:

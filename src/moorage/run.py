@@ -43,8 +43,9 @@ from moorage.results import (
 from moorage.results.carried import carried_of
 from moorage.simulation import Simulation
 from moorage.solve.clamps import warn_of_clamps
+from moorage.solve.control import Settings, default_tolerance
 from moorage.solve.given_water import WaterFeed, WaterFunction
-from moorage.solve.march import March, Settings, default_tolerance
+from moorage.solve.march import March
 from moorage.solve.platforms import Platform, measured
 from moorage.solve.statics import rest, solve
 from moorage.solve.stiffness import platform_stiffness
@@ -321,6 +322,6 @@ def _layout(
 ) -> Layout:
     index = make_index(model, built.names)
     bending = bending_of(model, built, index.allowed_bend_radius)
-    outputs = plan_outputs(model, built, motion, water)
+    outputs = plan_outputs(model, built, water)
     seabed, sea = seabed_of(model, built), water or model.environment.waves
     return Layout(index, outputs, node_time, bending, seabed, sea, carried_of(model), static or {})

@@ -114,7 +114,7 @@ def test_ends_that_coincide():
 def test_failure_of_a_line_that_is_not_there():
     stick = rod(1, "free", *ENDS)
     model = tied(floating(rods=(stick,)), held(stick, "A"))
-    with pytest.raises(ModelError, match=r"failure 1 names line 4, which is not described\n.*the lines are 1"):
+    with pytest.raises(ModelError, match=r"failure 1 names line 4, which is not described\n.*the only line is 1"):
         check(dataclasses.replace(model, failures=(Failure(id=1, attachment=held(stick, "A"), lines=(4,), time=1.0),)))
     with pytest.raises(ModelError, match=r"failure 1: line 1 is not tied to end B of rod 1"):
         check(dataclasses.replace(model, failures=(Failure(id=1, attachment=held(stick, "B"), lines=(1,), time=1.0),)))

@@ -6,6 +6,7 @@ import warnings
 
 import pytest
 from moorings import spread
+from native_text import CHAIN as TEXT
 
 from moorage.errors import ModelError, ModelWarning, UnsupportedError
 from moorage.io import read
@@ -92,19 +93,6 @@ def test_a_current_below_the_seabed_is_told(deck, tmp_path):
         read(deck(("0.001    dtM       time step", "0.001    dtM       time step\n1 Currents")))
 
 
-TEXT = """\
-moorage: 1
-environment:
-  water_depth: 100
-  {what}
-line_types:
-  chain: {{diameter: 0.08, mass_per_length: 113, axial_stiffness: 7.5e8}}
-points:
-  - {{id: 1, kind: fixed, position: [-300, 0, seabed]}}
-  - {{id: 2, kind: coupled, position: [0, 0, -10]}}
-lines:
-  - {{id: 1, end_a: 1, end_b: 2, sections: [{{line_type: chain, length: 330, segments: 10}}]}}
-"""
 TABLE = "waves: {{density: {{x: [{x}], y: [{y}]}}}}"
 WAVES = "waves: {{frequency: [{w}], amplitude: [1], phase: [0], direction: [0]{more}}}"
 NATIVE = {

@@ -7,26 +7,13 @@ import warnings
 import numpy as np
 import pytest
 import xarray as xr
+from native_text import CHAIN as TEXT
 
 from moorage.errors import ModelError, ModelWarning, UnsupportedError
 from moorage.io import convert, read
 from moorage.model import Current, CurrentGrid
 from moorage.model.unbuilt import refuse_unbuilt
 from moorage.results import warn_of_short_current
-
-TEXT = """\
-moorage: 1
-environment:
-  water_depth: 100
-  {what}
-line_types:
-  chain: {{diameter: 0.08, mass_per_length: 113, axial_stiffness: 7.5e8}}
-points:
-  - {{id: 1, kind: fixed, position: [-300, 0, seabed]}}
-  - {{id: 2, kind: coupled, position: [0, 0, -10]}}
-lines:
-  - {{id: 1, end_a: 1, end_b: 2, sections: [{{line_type: chain, length: 330, segments: 10}}]}}
-"""
 
 
 def native(tmp_path, what):

@@ -5,24 +5,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 import xarray as xr
+from native_text import CHAIN as TEXT
 
 from moorage.errors import ModelError
 from moorage.io import convert, read
 from moorage.model.spectra import jonswap
 
-TEXT = """\
-moorage: 1
-environment:
-  water_depth: 100
-  {what}
-line_types:
-  chain: {{diameter: 0.08, mass_per_length: 113, axial_stiffness: 7.5e8}}
-points:
-  - {{id: 1, kind: fixed, position: [-300, 0, seabed]}}
-  - {{id: 2, kind: coupled, position: [0, 0, -10]}}
-lines:
-  - {{id: 1, end_a: 1, end_b: 2, sections: [{{line_type: chain, length: 330, segments: 10}}]}}
-"""
 FREQUENCY = np.geomspace(0.04, 0.4, 30)
 HEADINGS = np.arange(0.0, 360.0, 10.0)
 

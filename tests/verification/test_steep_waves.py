@@ -17,6 +17,7 @@ import dataclasses
 import numpy as np
 import pytest
 from common import must_fail
+from native_text import CHAIN
 
 from moorage.errors import ModelError
 from moorage.io import convert, read
@@ -95,19 +96,7 @@ def test_the_engine_has_the_same_wave():
         assert out[A : A + 3] == pytest.approx(expected.acceleration, abs=1e-8)
 
 
-TEXT = """\
-moorage: 1
-environment:
-  water_depth: 70
-  waves: {{spectrum: {what}}}
-line_types:
-  chain: {{diameter: 0.08, mass_per_length: 113, axial_stiffness: 7.5e8}}
-points:
-  - {{id: 1, kind: fixed, position: [-300, 0, seabed]}}
-  - {{id: 2, kind: coupled, position: [0, 0, -10]}}
-lines:
-  - {{id: 1, end_a: 1, end_b: 2, sections: [{{line_type: chain, length: 330, segments: 10}}]}}
-"""
+TEXT = CHAIN.replace("depth: 100", "depth: 70").replace("{what}", "waves: {{spectrum: {what}}}")
 
 
 def test_native_file(tmp_path):

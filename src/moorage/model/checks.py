@@ -6,7 +6,6 @@ import dataclasses
 from collections.abc import Callable, Iterator
 from itertools import pairwise
 from math import isfinite
-from typing import Any
 
 from moorage.errors import ModelError, Problem, Source
 from moorage.model.bed_checks import (
@@ -26,10 +25,10 @@ from moorage.model.cables import (
     springs_are_possible,
     stiffeners_fit,
 )
-from moorage.model.channels import parse_channel
-from moorage.model.components import Attachment, Curve, Line, LineType
+from moorage.model.components import Curve, LineType
 from moorage.model.current_grid import CurrentGrid
 from moorage.model.environment import Bathymetry, FrictionMap, StiffnessMap
+from moorage.model.event_checks import channels_exist, described, events_name_what_exists
 from moorage.model.model import Model
 from moorage.model.seabed import below_seabed
 from moorage.model.water_checks import (
@@ -239,25 +238,12 @@ def ends_exist(model: Model) -> Iterator[Problem]:
             if (attachment.kind, attachment.id) not in places:
                 yield Problem(
                     f"end {end} of line {line.id} is tied to {attachment}, which is not described",
-                    _known(model, attachment.kind),
+                    described(model, attachment.kind),
                     line.source,
                 )
         if line.end_a == line.end_b:
             message = f"both ends of line {line.id} are tied to {line.end_a}"
             yield Problem(message, "tie its ends to different things", line.source)
-
-
-def _known(model: Model, kind: str) -> str:
-    groups: dict[str, tuple[Any, ...]] = {
-        "point": model.points,
-        "rod": model.rods,
-        "body": model.bodies,
-        "line": model.lines,
-    }
-    ids = [str(thing.id) for thing in groups[kind]]
-    plural = {"body": "bodies"}.get(kind, kind + "s")
-    shown = ", ".join(ids[:12]) + (", ..." if len(ids) > 12 else "")
-    return f"the {plural} are {shown}" if ids else f"there are no {plural}"
 
 
 def carriers_exist(model: Model) -> Iterator[Problem]:
@@ -267,7 +253,7 @@ def carriers_exist(model: Model) -> Iterator[Problem]:
         for thing in things:
             if thing.body is not None and thing.body not in bodies:
                 message = f"{kind} {thing.id} is carried by body {thing.body}, which is not described"
-                yield Problem(message, _known(model, "body"), thing.source)
+                yield Problem(message, described(model, "body"), thing.source)
     types = {rod_type.name.lower() for rod_type in model.rod_types}
     for rod in model.rods:
         if rod.rod_type.lower() not in types:
@@ -309,55 +295,6 @@ def free_points_are_held(model: Model) -> Iterator[Problem]:
         if point.kind == "free" and point.id not in tied and not point.mass > 0.0:
             remedy = "tie a line to it, give it mass, or remove it"
             yield Problem(f"free point {point.id} has neither lines nor mass", remedy, point.source)
-
-
-def events_name_what_exists(model: Model) -> Iterator[Problem]:
-    """Failures, controls and loads name lines and objects that are there."""
-    lines = {line.id: line for line in model.lines}
-    for failure in model.failures:
-        for id in failure.lines:
-            if id not in lines:
-                message = f"failure {failure.id} names line {id}, which is not described"
-                yield Problem(message, _known(model, "line"), failure.source)
-            elif failure.attachment not in _ends(lines[id]):
-                message = f"failure {failure.id}: line {id} is not tied to {failure.attachment}"
-                remedy = f"it is tied to {lines[id].end_a} and {lines[id].end_b}"
-                yield Problem(message, remedy, failure.source)
-    for control in model.controls:
-        for id in control.lines:
-            if id not in lines:
-                message = f"control channel {control.channel} names line {id}, which is not described"
-                yield Problem(message, _known(model, "line"), control.source)
-    groups: dict[str, tuple[Any, ...]] = {"body": model.bodies, "rod": model.rods, "point": model.points}
-    for load in model.external_loads:
-        if all(thing.id != load.target_id for thing in groups[load.target]):
-            message = f"external load {load.id} is on {load.target} {load.target_id}, which is not described"
-            yield Problem(message, _known(model, load.target), load.source)
-
-
-def _ends(line: Line) -> tuple[Attachment, Attachment]:
-    return line.end_a, line.end_b
-
-
-def channels_exist(model: Model) -> Iterator[Problem]:
-    """Output channels name objects and nodes that are there."""
-    segments = {
-        "line": {line.id: line.segments for line in model.lines},
-        "rod": {rod.id: rod.segments for rod in model.rods},
-        "point": {point.id: 0 for point in model.points},
-        "body": {body.id: 0 for body in model.bodies},
-    }
-    for output in model.outputs:
-        channel = parse_channel(output.name)
-        if channel is None:
-            yield Problem("output channel is not known", "write FAIRTEN1, LINE1N5PX, ...", output.source, output.name)
-        elif channel.id not in segments[channel.object]:
-            message = f"output channel {output.name} is of {channel.object} {channel.id}, which is not described"
-            yield Problem(message, _known(model, channel.object), output.source)
-        elif (channel.node or 0) > segments[channel.object][channel.id]:
-            last = segments[channel.object][channel.id]
-            message = f"output channel {output.name} is of node {channel.node}"
-            yield Problem(message, f"the nodes of {channel.object} {channel.id} are 0 to {last}", output.source)
 
 
 CHECKS: tuple[Check, ...] = (

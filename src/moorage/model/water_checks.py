@@ -109,7 +109,7 @@ def waves_are_possible(model: Model) -> Iterator[Problem]:
 def steep_waves(model: Model) -> list[Problem]:
     """Return a doubt about a sea that is steeper than seas are.
 
-    2 pi Hs / (g Tp^2) is at most 1/15 for Tp up to 8 s and 1/25 from 15 s on, linear between (DNV-RP-C205, 3.5.4); a
+    2 pi Hs / (g Tp^2) is at most 1/15 for Tp up to 8 s and 1/25 from 15 s on, linear between (DNV-RP-C205); a
     regular wave breaks at 0.142 of its length times tanh(k d) (Miche).
     """
     waves = model.environment.waves

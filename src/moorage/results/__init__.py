@@ -21,6 +21,7 @@ from moorage.results.load_check import overloads, warn_of_overloads
 from moorage.results.memory import MemoryResult
 from moorage.results.modes import modes_report, stiffness_report
 from moorage.results.moordyn_out import MoordynOut
+from moorage.results.object_report import ObjectSummary, object_summaries
 from moorage.results.provenance import fingerprint, run_attributes
 from moorage.results.reader import open_result
 from moorage.results.sea import sea_attributes, warn_of_repetition, warn_of_short_current
@@ -39,6 +40,7 @@ __all__ = [
     "LineSummary",
     "MemoryResult",
     "MoordynOut",
+    "ObjectSummary",
     "Seabed",
     "SeabedReport",
     "StreamWriter",
@@ -58,6 +60,7 @@ __all__ = [
     "load_checkpoint",
     "make_index",
     "modes_report",
+    "object_summaries",
     "open_result",
     "overloads",
     "plan_outputs",

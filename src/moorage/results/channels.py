@@ -17,7 +17,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from moorage.layout import Weights
-from moorage.model import Model, Motion
+from moorage.model import Model
 from moorage.model.channels import Channel, parse_channel
 from moorage.physics.point import sample_loads
 from moorage.results.rigid_channels import of_body, of_rod
@@ -57,12 +57,10 @@ def watch_list(model: Model) -> tuple[tuple[int, int], ...]:
     return tuple(dict.fromkeys(pairs))
 
 
-def plan_outputs(
-    model: Model, built: Built, motion: Motion | None = None, water: WaterFeed | None = None
-) -> tuple[Output, ...]:
+def plan_outputs(model: Model, built: Built, water: WaterFeed | None = None) -> tuple[Output, ...]:
     """Return the channels of a checked model, each once; `water` is what gives the waves in place of the model."""
     watched = {pair: k for k, pair in enumerate(watch_list(model))}
-    return tuple(_output(name, channel, model, built, watched, motion, water) for name, channel in _channels(model))
+    return tuple(_output(name, channel, model, built, watched, water) for name, channel in _channels(model))
 
 
 def _channels(model: Model) -> list[tuple[str, Channel]]:
@@ -93,7 +91,6 @@ def _output(
     model: Model,
     built: Built,
     watched: dict[tuple[int, int], int],
-    motion: Motion | None,
     water: WaterFeed | None,
 ) -> Output:
     if channel.object == "point":

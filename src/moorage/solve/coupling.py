@@ -18,7 +18,7 @@ from moorage.solve.host import HostMarch
 from moorage.solve.reactions import point_load
 from moorage.system.build import Built
 from moorage.system.holders import Holders, holders_of
-from moorage.system.objects import rod_length
+from moorage.system.objects import angles_of, rod_length
 
 
 class Coupling:
@@ -195,11 +195,3 @@ def angular_velocity(angles: np.ndarray, rates: np.ndarray) -> np.ndarray:
     y = np.stack([zero, np.cos(roll), np.sin(roll)], axis=1)
     z = np.stack([np.sin(pitch), -np.sin(roll) * np.cos(pitch), np.cos(roll) * np.cos(pitch)], axis=1)
     return rates[:, :1] * x + rates[:, 1:2] * y + rates[:, 2:] * z
-
-
-def angles_of(axis: np.ndarray) -> np.ndarray:
-    """Return roll and pitch (and no yaw) that turn the vertical into a unit vector; the inverse of R e_z."""
-    if not axis.any():
-        return np.zeros(3)
-    pitch = np.arcsin(np.clip(axis[0], -1.0, 1.0))
-    return np.array([np.arctan2(-axis[1], axis[2]), pitch, 0.0])

@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from moorage.layout import Weights
-from moorage.physics.point import sample_loads
+from moorage.physics.point import sample_loads, wet_fraction
 from moorage.solve.carried import Block, own_load, sample_rigid, water_at
 from moorage.system.build import Built
 from moorage.system.objects import frame_along
@@ -71,6 +71,5 @@ def point_load(built: Built, holder: int, motion: np.ndarray, time: np.ndarray) 
     place, velocity = (np.ascontiguousarray(part) for part in (motion[:, :3], motion[:, 3:6]))
     water = water_at(built, time, place)
     sample_loads(p, holder, water, place, velocity, FORCE, out)
-    height = np.clip((place[:, 2] - water[:, 0]) / p.radius[holder], -1.0, 1.0)
-    wet = 0.25 * (1.0 - height) ** 2 * (2.0 + height)
+    wet = np.array([wet_fraction(p.radius[holder], height)[0] for height in place[:, 2] - water[:, 0]])
     return out - (p.mass[holder] + wet * p.added_mass[holder])[:, None] * motion[:, 6:]

@@ -65,8 +65,15 @@ def frame_along(axis: np.ndarray) -> np.ndarray:
 
     MoorDyn's axes of a rod, the vertical turned to it by roll and pitch, with the last one put first.
     """
-    angles = [np.arctan2(-axis[1], axis[2]), np.arcsin(np.clip(axis[0], -1.0, 1.0)), 0.0]
-    return rotation_matrices(np.array([angles]))[0][:, [2, 0, 1]]
+    return rotation_matrices(angles_of(axis)[None])[0][:, [2, 0, 1]]
+
+
+def angles_of(axis: np.ndarray) -> np.ndarray:
+    """Return roll and pitch (and no yaw), rad, that turn the vertical into a unit vector; zeros for none."""
+    if not axis.any():
+        return np.zeros(3)
+    pitch = np.arcsin(np.clip(axis[0], -1.0, 1.0))
+    return np.array([np.arctan2(-axis[1], axis[2]), pitch, 0.0])
 
 
 def rigid_rods(model: Model) -> list[Rod]:

@@ -1,0 +1,44 @@
+"""A run as the command line names it: a model or a driver file, with what comes from the file and what was asked for."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
+
+from moorage.errors import InputError, Problem
+from moorage.io import is_driver, read, read_driver, read_motion
+
+if TYPE_CHECKING:
+    from moorage.model import Model, Motion
+
+
+class Case(NamedTuple):
+    """A model with what a driver file or the command line says about its run; times in s."""
+
+    model: Model
+    motion: Motion | None
+    duration: float
+    dt_out: float | None
+
+
+def read_case(file: Path, motion: Path | None, duration: float | None, raise_to_seabed: bool) -> Case:
+    """Read a model or a driver file; what the command line says comes first.
+
+    Raises
+    ------
+    InputError
+        The files are wrong, or nothing says how long the run is.
+    """
+    if file.is_file() and is_driver(file.read_text(errors="replace")):
+        driver = read_driver(file, raise_to_seabed)
+        case = Case(driver.model, driver.motion, driver.duration, driver.interval)
+    else:
+        case = Case(read(file, raise_to_seabed), None, 0.0, None)
+    if motion is not None:
+        moved = read_motion(motion, case.model)
+        case = case._replace(motion=moved, duration=moved.duration)
+    if duration is None and not case.duration:
+        raise InputError(Problem("there is no motion that says how long the run is", "give seconds (--duration)"))
+    return case._replace(
+        duration=case.duration if duration is None else duration, dt_out=case.model.output_interval or case.dt_out
+    )
