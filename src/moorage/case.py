@@ -1,4 +1,4 @@
-"""A run as the command line names it: a model or a driver file, with what comes from the file and what was asked for."""
+"""A run as the command line names it: a model or a driver file, and what was asked for beside it."""
 
 from __future__ import annotations
 

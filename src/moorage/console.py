@@ -163,7 +163,7 @@ def _cable(report: CableReport) -> str:
 
 
 def _number(value: float, digits: int) -> str:
-    return f"{value:.{digits}f}" if isfinite(value) else "-"
+    return f"{round(value, digits) + 0.0:.{digits}f}" if isfinite(value) else "-"  # no minus before zeros
 
 
 def static_tables(
@@ -209,7 +209,7 @@ def static_tables(
 def object_table(rows: Sequence[ObjectSummary], run: bool) -> None:
     """Print where bodies and ends of rods are: at rest, or in a run."""
     columns = ["start", "end", "lowest", "highest"] if run else ["at rest"]
-    table = _table("\nBodies and ends of rods (m, deg)", ["", "", *columns])
+    table = _table("\nBodies, rods (m, deg)", ["", "", *columns])
     before = ""
     for row in rows:
         values = (row.start, row.end, row.lowest, row.highest) if run else (row.start,)

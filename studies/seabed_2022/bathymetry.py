@@ -68,7 +68,7 @@ def _figure(drawn):
         if peer is not None and name in ("normal", "downslope"):
             ax.plot(peer["time"], peer["end_tension"][:, 1] / 1e3, color=COLOURS[1], lw=2.4, label="MoorDyn-C")
         ax.plot(ds["time"].values, fairlead(ds), color=COLOURS[0], lw=1.1, label="Moorage")
-        dress(ax, "time (s)" if name == "sideslope" else "", "line 1 (kN)")
+        dress(ax, "time (s)" if name == "sideslope" else "", "tension,\nline 1 (kN)")
         ax.set_xlim(STARTED, DURATION)
     legend_above(axes[0, 1])
     side.set_xlabel("x (m)", fontsize=8)

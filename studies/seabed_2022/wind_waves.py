@@ -87,9 +87,9 @@ def _figure_7(runs, motions):
     for name, ds in list(runs["wind"].items())[1:]:
         off.plot(ds["time"].values[::4], (fairlead(ds) - bare)[::4], color=styles[name][0], lw=styles[name][1],
                  ls=_dash(name == dashed))  # fmt: skip
-    dress(wind, "", "wind: line 1 (kN)")
-    dress(off, "time (s)", "from no friction (kN)")
-    dress(waves, "time (s)", "waves: line 1 (kN)")
+    dress(wind, "", "wind: tension,\nline 1 (kN)")
+    dress(off, "time (s)", "difference from\nno friction (kN)")
+    dress(waves, "time (s)", "waves: tension,\nline 1 (kN)")
     for ax in (wind, off):
         ax.set_xlim(0.0, DURATION["wind"])
     waves.set_xlim(DURATION["waves"] - 4.0 * PERIOD, DURATION["waves"])

@@ -113,3 +113,15 @@ def test_functions_take_any_axes(oc4):
     figure = new_figure(6, 3)
     assert plot_tension(oc4, figure.add_subplot(121), "anchor_tension").get_ylabel() == "anchor tension (kN)"
     assert plot_plan(oc4, figure.add_subplot(122)).get_aspect() == 1.0
+
+
+@pytest.mark.parametrize("turn", [0.0, 120.0])
+def test_profile_of_what_floats_begins_there(turn):
+    """The line of a buoy, held at its anchor alone, is drawn in its own plane, whatever its heading."""
+    x, y = 30.0 * np.cos(np.deg2rad(turn)), 30.0 * np.sin(np.deg2rad(turn))
+    anchor, buoy = fixed(1, x, y, -40.0), free(2, 0.0, 0.0, -5.0, mass=10.0, volume=0.5)
+    model = mooring(CHAIN, (anchor, buoy), (line(1, 1, 2, ("chain", 60.0, 10)),), water_depth=40.0)
+    ds = moorage.simulate(model, duration=0.2, start="as-given")
+    ax = plot_profile(ds, [1], new_figure(5, 3).add_subplot())
+    shape = next(drawn for drawn in ax.lines if len(drawn.get_xdata()) == 11).get_xdata()
+    assert sorted(shape[[0, -1]]) == pytest.approx([0.0, 30.0], abs=1e-6)

@@ -97,14 +97,23 @@ def _mark_touchdown(ds: xr.Dataset, lines: list[int], ax: Axes, origin: np.ndarr
 
 
 def _plane(ds: xr.Dataset, lines: list[int]) -> tuple[np.ndarray, np.ndarray]:
-    """Return a horizontal origin and unit vector: from the moving end to the end that is farthest from it."""
+    """Return a horizontal origin and unit vector: from the moving end to the end that is farthest from it.
+
+    Where a mooring is held at one end only, or none, what floats is the moving end.
+    """
     starts, ids = _starts(ds), ds["line"].values
-    held = held_ends(ds, lines) or [(int(np.flatnonzero(ids == lines[0])[0]), end) for end in (1, 0)]
-    ends = [starts[int(ids[line])][-1 if end else 0, :2] for line, end in held]
-    spans = [end - ends[0] for end in ends]
-    span = max(spans, key=lambda s: float(np.hypot(*s)))
+    chosen = np.flatnonzero(np.isin(ids, lines))
+    ends = {(int(k), end): starts[int(ids[k])][-1 if end else 0, :2] for end in (1, 0) for k in chosen}
+    held = [ends[key] for key in held_ends(ds, lines)]
+    if len(held) < 2:
+        held = [_farthest(list(ends.values()), held[0] if held else ends[int(chosen[0]), 1]), *held, *ends.values()]
+    span = _farthest(held, held[0]) - held[0]
     length = float(np.hypot(*span))
-    return ends[0], span / length if length > 0.0 else np.array([1.0, 0.0])
+    return held[0], span / length if length > 0.0 else np.array([1.0, 0.0])
+
+
+def _farthest(places: list[np.ndarray], place: np.ndarray) -> np.ndarray:
+    return max(places, key=lambda other: float(np.hypot(*(other - place))))
 
 
 def _shapes(ds: xr.Dataset, rows: np.ndarray) -> np.ndarray:
