@@ -55,3 +55,15 @@ def throw(built: Built, velocity=(0.0, 0.0, 0.0), spin=(0.0, 0.0, 0.0), object: 
 def world(axes, tensor) -> np.ndarray:
     """Return a tensor (3, 3) of a body's axes in global ones: R J R^T for every R of axes (n, 3, 3)."""
     return np.einsum("nij,jk,nlk->nil", axes, tensor, axes)
+
+
+def momenta(block, mass, body_mass: float, inertia, origin) -> tuple[np.ndarray, np.ndarray]:
+    """Momentum and angular momentum about a place (rows in time) of two like bodies and of nodes (n,) between them."""
+    p = np.einsum("i,nij->nj", mass, block["node_velocity"])
+    H = np.einsum("i,nij->nj", mass, np.cross(block["node_position"] - origin, block["node_velocity"]))
+    for k in range(2):
+        R, u, w = block["body_axes"][:, k], block["body_velocity"][:, k, :3], block["body_velocity"][:, k, 3:]
+        p = p + body_mass * u
+        H = H + body_mass * np.cross(block["body_position"][:, k] - origin, u)
+        H = H + np.einsum("nij,jk,nlk,nl->ni", R, np.diag(inertia), R, w)
+    return p, H

@@ -5,6 +5,7 @@ import warnings
 
 import pytest
 from moorings import CHAIN, coupled, fixed, free, line, mooring
+from native_text import check_refused
 
 import moorage
 from moorage.errors import ModelError, ModelWarning
@@ -55,13 +56,8 @@ CASES = {
 
 @pytest.mark.parametrize("name", CASES)
 def test_native(tmp_path, name):
-    (old, new), message = CASES[name]
-    assert old in NATIVE
-    path = tmp_path / "model.yaml"
-    path.write_text(NATIVE.replace(old, new))
-    with pytest.raises(ModelError, match=message) as caught:
-        read(path)
-    assert all(problem.remedy for problem in caught.value.problems)
+    change, message = CASES[name]
+    check_refused(tmp_path, NATIVE, change, message)
 
 
 FILES = {

@@ -1,8 +1,8 @@
 """Errors of soils with a memory, and what MoorDyn's files cannot say of them."""
 
 import pytest
+from native_text import check_refused
 
-from moorage.errors import ModelError
 from moorage.io import read, write_moordyn, write_native
 from moorage.model import Soil
 
@@ -45,13 +45,8 @@ CASES = {
 
 @pytest.mark.parametrize("name", CASES)
 def test_native(tmp_path, name):
-    (old, new), message = CASES[name]
-    assert old in NATIVE
-    path = tmp_path / "model.yaml"
-    path.write_text(NATIVE.replace(old, new))
-    with pytest.raises(ModelError, match=message) as caught:
-        read(path)
-    assert all(problem.remedy for problem in caught.value.problems)
+    change, message = CASES[name]
+    check_refused(tmp_path, NATIVE, change, message)
 
 
 def test_soil_survives_a_native_file_and_moordyn_is_told_what_it_lacks(tmp_path):

@@ -17,7 +17,7 @@ import dataclasses
 import numpy as np
 import pytest
 from common import must_fail
-from floats import AIR, VACUUM, body, floating, throw, world
+from floats import AIR, VACUUM, body, floating, momenta, throw
 from moorings import CHAIN, GRAVITY, again, at_rest, fixed, kind, line, run, statics
 
 from moorage.model import Point
@@ -92,19 +92,6 @@ def test_a_tether_to_the_centres_fails():
     must_fail(check_tether, 0.0)
 
 
-def momenta(block, mass):
-    """Momentum and angular momentum about (0, 0, -50) of two bodies and a tether (rows in time)."""
-    origin = np.array([0.0, 0.0, -50.0])
-    p = np.einsum("i,nij->nj", mass, block["node_velocity"])
-    H = np.einsum("i,nij->nj", mass, np.cross(block["node_position"] - origin, block["node_velocity"]))
-    for k in range(2):
-        R, u, w = block["body_axes"][:, k], block["body_velocity"][:, k, :3], block["body_velocity"][:, k, 3:]
-        p = p + 100.0 * u
-        H = H + 100.0 * np.cross(block["body_position"][:, k] - origin, u)
-        H = H + np.einsum("nij,nj->ni", world(R, np.diag([10.0, 20.0, 35.0])), w)
-    return p, H
-
-
 def check_momentum(inertia: float) -> None:
     """A rope that snaps taut at an angle pulls both bodies round; 1e-3 of the angular momentum is the step's."""
     model = dumbbell(8.8)
@@ -114,7 +101,7 @@ def check_momentum(inertia: float) -> None:
     throw(built, (1.0, 3.0, 0.0), (0.0, 0.3, 1.0), 1)
     block = run(built, 5.0, dt_out=0.25, dt_nodes=0.25, time_step=0.0025, tolerance=1e-8)
     mass = built.system.morison.mass[: built.names.node_ptr[-1]]
-    p, H = momenta(block, inertia * mass)
+    p, H = momenta(block, inertia * mass, 100.0, (10.0, 20.0, 35.0), (0.0, 0.0, -50.0))
     assert block["end_tension"].max() > 1e3
     assert np.abs(p - p[0]).max() < 1e-3 * np.abs(p[0]).max()
     assert np.abs(H - H[0]).max() < 1e-3 * np.abs(H[0]).max()

@@ -20,7 +20,7 @@ import numpy as np
 import pytest
 from cables import beam, sections
 from common import must_fail, rate
-from floats import VACUUM, body, floating, rod, throw, world
+from floats import VACUUM, body, floating, momenta, rod, throw
 from moorings import at_rest, held, run
 
 from moorage.model import Line
@@ -58,13 +58,7 @@ def kept(flavour: str, step: float) -> tuple[float, float]:
     built = started(flavour)
     mass = built.system.morison.mass[: built.names.node_ptr[1]]
     block = run(built, 1.0, dt_out=0.1, dt_nodes=0.1, time_step=step, tolerance=1e-9)
-    p = np.einsum("i,nij->nj", mass, block["node_velocity"])
-    H = np.einsum("i,nij->nj", mass, np.cross(block["node_position"] - ORIGIN, block["node_velocity"]))
-    for k in range(2):
-        R, u, w = block["body_axes"][:, k], block["body_velocity"][:, k, :3], block["body_velocity"][:, k, 3:]
-        p = p + 100.0 * u
-        H = H + 100.0 * np.cross(block["body_position"][:, k] - ORIGIN, u)
-        H = H + np.einsum("nij,nj->ni", world(R, np.diag(INERTIA)), w)
+    p, H = momenta(block, mass, 100.0, INERTIA, ORIGIN)
     return float(np.abs(p - p[0]).max()), float(np.abs(H - H[0]).max())
 
 

@@ -192,7 +192,7 @@ def test_laws_side_by_side(stored):
         springs = [sticks[name]["anchor_mean"] for name in ("Azcona et al.", "Azcona, directions apart")]
         assert springs[0] == pytest.approx(springs[1], rel=0.02)
         # at the default tolerance creep of nodes that hardly move counted as much as 180 kJ
-        assert min(law["energy"] for law in one.values()) > 1.5 * max(law["energy"] for law in sticks.values())
+        assert min(law["energy"] for law in one.values()) > max(law["energy"] for law in sticks.values())
     ds, _ = ours(
         laws.shallow(laws.laws(site)["Azcona et al."]),
         laws.drift_and_waves(laws.DURATION),
