@@ -6,6 +6,7 @@ because numba's own cache does not notice a changed callee in another file.
 
 from __future__ import annotations
 
+import functools
 import hashlib
 import os
 import pathlib
@@ -13,6 +14,7 @@ import sys
 import tempfile
 
 import numba
+from numba.core.registry import CPUDispatcher
 
 _PACKAGE = pathlib.Path(__file__).parent
 
@@ -21,6 +23,7 @@ _OPTIONS: dict = {
     "fastmath": {"contract"},  # fused multiply-add only: results must not depend on reordering
     "cache": True,
     "nogil": True,  # islands advance in threads
+    "no_cfunc_wrapper": True,  # a way in from C, which nobody takes; unpacking a system there takes seconds to compile
 }
 
 
@@ -46,7 +49,7 @@ def kernel_sources() -> dict[str, bytes]:
     """Return the sources of this module and of all that compile something."""
     paths = sorted(p for folder in (".", "physics", "system", "solve") for p in (_PACKAGE / folder).glob("*.py"))
     texts = {path.relative_to(_PACKAGE).as_posix(): path.read_bytes() for path in paths}
-    decorated = b"\n@kernel\n", b"\n@inlined\n", b"\n@summed\n"
+    decorated = b"\n@kernel\n", b"\n@part\n", b"\n@inlined\n", b"\n@summed\n"
     return {name: text for name, text in texts.items() if name == "_jit.py" or any(d in text for d in decorated)}
 
 
@@ -93,16 +96,40 @@ def _mark() -> pathlib.Path:
     return CACHE / f"warm-{hashlib.sha256(str(_PACKAGE).encode()).hexdigest()[:16]}"
 
 
+class _Inside(CPUDispatcher):
+    """What only kernels call: compiled without a way in from Python, which is made here if somebody wants one."""
+
+    def __call__(self, *args):
+        return _entry(self)(*args)
+
+
+@functools.cache
+def _entry(part):
+    """Return a kernel that does nothing but call a part."""
+    return numba.njit(lambda *args: part(*args), **(_OPTIONS | {"cache": False}))
+
+
+def _inside(function, **options):
+    dispatcher = numba.njit(function, no_cpython_wrapper=True, **(_OPTIONS | options))
+    dispatcher.__class__ = _Inside
+    return dispatcher
+
+
 def kernel(function):
-    """Compile a loop over arrays."""
+    """Compile a loop over arrays that Python calls."""
     return numba.njit(function, **_OPTIONS)
+
+
+def part(function):
+    """Compile a loop over arrays that kernels call."""
+    return _inside(function)
 
 
 def inlined(function):
     """Compile a pure function of tuples, always inlined by LLVM (no call, no tuple in memory)."""
-    return numba.njit(function, forceinline=True, **_OPTIONS)
+    return _inside(function, forceinline=True)
 
 
 def summed(function):
     """Compile a sum over many terms, which may be added in any order so that several are done at once."""
-    return numba.njit(function, **(_OPTIONS | {"fastmath": True}))
+    return _inside(function, fastmath=True)

@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from moorage._jit import inlined, kernel
+from moorage._jit import inlined, part
 from moorage.physics.grid import Axis, build_axis, locate
 
 EASE = 0.01  # of a cell, beside its edges, where the slopes of two cells meet
@@ -92,7 +92,7 @@ def bed_at(p, x, y):
     return searched_bed_at(p, x, y)
 
 
-@kernel
+@part
 def searched_bed_at(p, x, y):
     """Same at any place of any grid."""
     i, i1, u, per_x = locate(p.x, x)

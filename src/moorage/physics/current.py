@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from moorage._jit import inlined, kernel
+from moorage._jit import inlined, part
 from moorage.physics.table import interval
 
 
@@ -55,7 +55,7 @@ def current_at(p, r, t):
     return u, v, w
 
 
-@kernel
+@part
 def place_on(points, begin, n, value):
     """Interval of an axis that holds a value and the fraction of it, 0 outside the axis and on its last point."""
     if n < 2 or value <= points[begin]:

@@ -23,7 +23,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from moorage._jit import inlined, kernel
+from moorage._jit import inlined, part
 
 FRESH = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)  # never touched; (z, P, z0, P0, z_max, sense)
 
@@ -88,7 +88,7 @@ def turned(memory, z):
     return last, force, max(deepest, last), -1.0
 
 
-@kernel
+@part
 def resistance(p, i, memory, z):
     """Resistance of the soil on node i (N) at the penetration z (m), with its slope (N/m); memory: before the step."""
     if z <= 0.0:
@@ -144,7 +144,7 @@ def sunk_part(D, z):
     return half * half * math.acos(1.0 - z / half) - 0.5 * (half - z) * width, width
 
 
-@kernel
+@part
 def remember(p, i, memory, z):
     """Memory after a step that ends at the penetration z (m)."""
     if z <= 0.0:

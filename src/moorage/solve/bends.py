@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from moorage._jit import inlined, kernel
+from moorage._jit import inlined, part
 from moorage._vec3 import add, cross, dot, get, mat_get, mat_times, scale, sub, unit
 from moorage.layout import ATTITUDE, CLAMP, TOWARD, line_nodes
 from moorage.physics.bending import PINNED, bend, end_hinge, node_hinge
@@ -77,7 +77,7 @@ def half_sine(c):
     return math.sqrt(max(2.0 * (1.0 - c), 0.0))
 
 
-@kernel
+@part
 def record_joints(system, island, record, row):
     """Write curvature and moment at the line ends that a joint of an island holds."""
     joints, position = system.joints, record.node_position[row]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from moorage._jit import inlined, kernel
+from moorage._jit import inlined, part
 from moorage._vec3 import accumulate, add, dot, get, mat_get, mat_put, put, scale
 from moorage.layout import BASE, line_nodes, point_row
 from moorage.physics.rigid import turning_rate
@@ -13,7 +13,7 @@ ZERO3 = (0.0, 0.0, 0.0)
 FASTEST = 1e5  # m/s; a run that gets there has blown up
 
 
-@kernel
+@part
 def explicit_step(system, now, trial, work, island, t, h, order):
     """Advance an island from t to t + h; returns (finite, row of the largest speed).
 
@@ -91,7 +91,7 @@ def stage_row(now, trial, stage, i, weight, ahead):
     put(stage.velocity, i, add(get(now.velocity, i), scale(ahead, a)))
 
 
-@kernel
+@part
 def begin_objects(islands, now, trial, stage, island):
     """Begin a step of the objects of an island; rotations count from now on."""
     begin_turning(islands, now, island)
@@ -103,7 +103,7 @@ def begin_objects(islands, now, trial, stage, island):
         begin_row(now, trial, stage, row + 1)
 
 
-@kernel
+@part
 def stage_objects(islands, now, trial, stage, island, weight, ahead):
     """Do `stage_row` for objects; a rotation vector grows at `turning_rate`."""
     for k in range(islands.object_ptr[island], islands.object_ptr[island + 1]):

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 
-from moorage._jit import inlined, kernel
+from moorage._jit import inlined, kernel, part
 from moorage._vec3 import (
     add,
     cross,
@@ -70,7 +70,7 @@ UP = (0.0, 0.0, 1.0)
 ZERO6 = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
 
-@kernel
+@part
 def add_objects(system, state, work, A, b, size, island, c):
     """Add the objects of an island to its junction system, and fold the riders into them."""
     islands, riders = system.islands, system.riders
@@ -98,7 +98,7 @@ def add_objects(system, state, work, A, b, size, island, c):
             hold(A, b, size, 3 * r)
 
 
-@kernel
+@part
 def load_objects(system, state, work, island, c):
     """Set the force and moment on the objects of an island in `work.force`, with those of all that rides on them.
 

@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from moorage._jit import inlined, kernel
+from moorage._jit import inlined, kernel, part
 from moorage._vec3 import add, dot, get, mat_get, mat_put, put, scale, sub
 from moorage.layout import BASE, Weights, line_nodes, memory_of, point_row, put_memory
 from moorage.physics.bathymetry import normal_at
@@ -67,7 +67,7 @@ def predict_row(now, trial, i, k):
     put(trial.acceleration, i, acc)
 
 
-@kernel
+@part
 def predict_objects(islands, now, trial, island, k):
     """Set the rows of the objects of an island in the trial state; their rotations count from now on."""
     begin_turning(islands, now, island)
@@ -221,7 +221,7 @@ def tension_left(control, island, c, largest):
     return stiff * largest * largest
 
 
-@kernel
+@part
 def set_accelerations(system, state, work, island, t):
     """Set the accelerations that balance the forces at time t: M a = f."""
     lines, islands = system.lines, system.islands
@@ -243,7 +243,7 @@ def set_accelerations(system, state, work, island, t):
     shift(system, state, work, island, 0.0, 0.0, 1.0)
 
 
-@kernel
+@part
 def start_island(system, state, work, island, t):
     """Set consistent accelerations, true and auxiliary, and what the soil remembers, at the start of a run."""
     lines, islands, soil = system.lines, system.islands, system.contact.soil

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from moorage._jit import inlined, kernel
+from moorage._jit import inlined, part
 from moorage._vec3 import get, mat_get, put, sym_get
 from moorage.layout import CARRIER, FLEXIBLE, line_nodes, point_row, water_of
 from moorage.physics.point import point_terms
@@ -10,7 +10,7 @@ from moorage.solve.fold import add_objects, move_riders
 from moorage.system.attach import copy_free_ends
 
 
-@kernel
+@part
 def solve_junctions(system, state, work, island, c):
     """Solve for the increments of the unknowns of an island: free points, nodes beside joints and clamps, objects."""
     lines, islands = system.lines, system.islands
@@ -70,7 +70,7 @@ def add_coupling(A, size, row, column, m):
             A[(3 * column + j) * size + 3 * row + i] += m[3 * i + j]
 
 
-@kernel
+@part
 def add_line(lines, work, A, b, size, line):
     """Add the condensed blocks and forces of a line at its boundary."""
     S = work.blocks
@@ -97,7 +97,7 @@ def add_line(lines, work, A, b, size, line):
         add_coupling(A, size, b0, b1, mat_get(S.next, last - 1))
 
 
-@kernel
+@part
 def solve_dense(A, b, n, begin):
     """Gauss elimination with row pivoting, in place, of an n x n matrix stored row by row; b becomes the solution.
 

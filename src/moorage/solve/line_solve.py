@@ -9,7 +9,7 @@ upwards; each pivot is replaced by its inverse, and what remains is the small de
 
 from __future__ import annotations
 
-from moorage._jit import inlined, kernel
+from moorage._jit import inlined, part
 from moorage._vec3 import (
     get,
     mat_get,
@@ -50,7 +50,7 @@ def interior(lines, line):
     return begin, end
 
 
-@kernel
+@part
 def reduce_line(lines, work, line, start_is_free):
     """Eliminate the interior of a line; leave the condensed blocks and forces at its boundary."""
     first, last = line_nodes(lines, line)
@@ -105,7 +105,7 @@ def eliminate_pentadiagonal(S, force, begin, end, last):
         put(force, end + 1, f1)
 
 
-@kernel
+@part
 def condense_start(S, force, first, begin, end, last):
     """Carry the columns of the boundary nodes at end A through the elimination, as more right-hand sides."""
     for i in range(begin, last + 1):
@@ -145,7 +145,7 @@ def carry_column(column, i, E, F, W, last):
         mat_put(column, i + 2, mat_sub(mat_get(column, i + 2), mat_mat(F, W)))
 
 
-@kernel
+@part
 def back_substitute(lines, work, line, start_is_free):
     """Fill the increments of the interior; those of the boundary are known."""
     first, last = line_nodes(lines, line)

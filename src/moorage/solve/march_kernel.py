@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from moorage._jit import inlined, kernel
+from moorage._jit import inlined, kernel, part
 from moorage._vec3 import get, put
 from moorage.layout import line_nodes, point_row
 from moorage.solve.breaks import broken
@@ -159,7 +159,7 @@ def next_step(control, size, h, error):
     return min(control.step_max, size * min(1.6, max(0.4, 0.85 / math.sqrt(error + 1e-12))))
 
 
-@kernel
+@part
 def swap_island(lines, islands, old, now, island):
     """Exchange the rows of an island between two states."""
     for m in range(islands.line_ptr[island], islands.line_ptr[island + 1]):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from moorage._jit import inlined, kernel
+from moorage._jit import inlined, kernel, part
 from moorage._vec3 import accumulate, add, dot, get, put, scale
 from moorage.layout import CARRIER, FLEXIBLE, line_nodes, point_row, water_of
 from moorage.physics.point import point_terms
@@ -70,7 +70,7 @@ def walks_once(system, line):
     return lines.end_unknown[line, 0] < 0 and not lines.bends[line] and system.riders.lines[line, CARRIER] == FLEXIBLE
 
 
-@kernel
+@part
 def solve_island(system, state, work, island, c):
     """Solve S x = force for an island; prescribed ends do not move. Overwrites force and blocks."""
     lines, islands = system.lines, system.islands

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from moorage._jit import inlined, kernel
+from moorage._jit import inlined, kernel, part
 from moorage._vec3 import add, cross, dot, get, mat_get, mat_mat, mat_times, put, scale, sub
 from moorage.layout import BASE, CARRIER, FLEXIBLE, Weights, line_nodes, memory_of, point_row, water_of
 from moorage.physics.bathymetry import bed_at
@@ -159,7 +159,7 @@ def sample_island(system, state, t, island, sample):
         sample[line, TENSION_B], sample[line, LOWEST], sample[line, GROUNDED] = tension, lowest, grounded
 
 
-@kernel
+@part
 def sample_rod(system, state, line, sample):
     """Evaluate the columns of a rod: forces on its nodes, and moments about end A, with that of its waterplane."""
     first, last = line_nodes(system.lines, line)
@@ -245,7 +245,7 @@ def record_lines(system, old, now, island, before, after, h, s, record, row):
             record.points[row, point, 6 + x] = a[x]
 
 
-@kernel
+@part
 def record_objects(system, old, now, island, h, s, record, row):
     """Write the motion of the objects of an island at the fraction s of the step from `old` to `now` of length h."""
     islands = system.islands
@@ -265,7 +265,7 @@ def record_objects(system, old, now, island, h, s, record, row):
         put_row(out, o, TWIST, mat_times(R, mix(s, get(old.acceleration, i + 1), get(now.acceleration, i + 1))))
 
 
-@kernel
+@part
 def record_watched(system, old, now, island_of_line, island, h, s, record, row):
     """Write the watched nodes of an island."""
     for w in range(len(record.watched)):
@@ -317,7 +317,7 @@ def node_tension(system, state, line, i):
     return math.sqrt(dot(total, total)) / count
 
 
-@kernel
+@part
 def record_nodes(system, old, now, island, h, s, record, row):
     """Write the node histories of an island at one time, and the bending that goes with the interpolated shape."""
     islands = system.islands

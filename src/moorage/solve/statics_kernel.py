@@ -8,7 +8,7 @@ raised afterwards, see `whole_jacobian`.
 
 from __future__ import annotations
 
-from moorage._jit import kernel
+from moorage._jit import kernel, part
 from moorage._vec3 import dot, get, put
 from moorage.layout import CARRIER, FLEXIBLE, Weights, line_nodes, point_row, put_memory
 from moorage.physics.soil import FRESH
@@ -17,7 +17,7 @@ from moorage.system.attach import attach
 from moorage.system.ride import begin_turning
 
 
-@kernel
+@part
 def stop_island(lines, islands, state, island):
     """Set velocities and accelerations of an island to zero."""
     zero = (0.0, 0.0, 0.0)
@@ -39,7 +39,7 @@ def stop_island(lines, islands, state, island):
         put(state.auxiliary, row, zero)
 
 
-@kernel
+@part
 def forget_soil(lines, islands, state, island):
     for m in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
         first, last = line_nodes(lines, islands.lines[m])
@@ -157,7 +157,7 @@ def descend_island(system, state, work, island, reach, tolerance, iterations):
     return force, row, iterations, iterations
 
 
-@kernel
+@part
 def work_done(system, work, island):
     """Work of the out-of-balance forces on the increment, J."""
     lines, islands, force, increment = system.lines, system.islands, work.force, work.increment

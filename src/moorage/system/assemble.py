@@ -10,7 +10,7 @@ import math
 
 import numpy as np
 
-from moorage._jit import inlined, kernel
+from moorage._jit import inlined, kernel, part
 from moorage._vec3 import (
     accumulate,
     add,
@@ -196,7 +196,7 @@ def rubbing_load(soil, N):
     return max(N, 0.0) if soil.on else abs(N)
 
 
-@kernel
+@part
 def turn_of_drag(system, state, line, turn):
     """Set in `turn` (rows, 9) how the drag on a node changes as the next node moves, N/m: minus it for the one before.
 
@@ -258,7 +258,7 @@ def clamp_at(p, position, direction, line, end, node, beside, k):
     return clamp_terms(G, U, u, q, d, cosine, k)
 
 
-@kernel
+@part
 def add_joints(system, state, work, island, c):
     """Add the bend where two line ends are joined: force, own blocks and couplings within each line, and across."""
     lines, joints = system.lines, system.joints

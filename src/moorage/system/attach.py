@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from moorage._jit import inlined, kernel
+from moorage._jit import inlined, part
 from moorage._vec3 import get, put, unit
 from moorage.layout import line_nodes, point_row
 from moorage.physics.motion import follow
@@ -28,7 +28,7 @@ def place_prescribed_ends(system, state, work, island, t):
                 put(work.direction[line], end, d)
 
 
-@kernel
+@part
 def copy_free_ends(lines, islands, island, values):
     """Copy rows of free points into the line ends on them."""
     for k in range(islands.line_ptr[island], islands.line_ptr[island + 1]):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from moorage._jit import inlined, kernel
+from moorage._jit import inlined, part
 from moorage._vec3 import add, dot, get, mat_get, mat_mat, mat_put, mat_times, put, scale, sub
 from moorage.layout import ATTITUDE, BASE, CARRIER, CLAMP, FLEXIBLE, HELD, PIN, ROW, SPAN, TOWARD, line_nodes, point_row
 from moorage.physics.motion import follow
@@ -32,7 +32,7 @@ def surface_band(system, line, j, e):
     return radius * max(UPRIGHT, math.sqrt((e[0] * e[0] + e[1] * e[1]) / dot(e, e)))
 
 
-@kernel
+@part
 def place_pins(islands, riders, tracks, state, island, t):
     """Give the objects of an island that are pinned to the ground, or to prescribed motion, their place at time t."""
     for k in range(islands.object_ptr[island], islands.object_ptr[island + 1]):
@@ -45,7 +45,7 @@ def place_pins(islands, riders, tracks, state, island, t):
             put(state.acceleration, riders.objects[o, ROW], a)
 
 
-@kernel
+@part
 def place_riders(lines, islands, riders, state, direction, island):
     """Set the motion of all that rides on the objects of an island, from that of the objects.
 
@@ -110,7 +110,7 @@ def span_between(values, first, last):
         put(values, i, add(a, scale((i - first) / (last - first), sub(b, a))))
 
 
-@kernel
+@part
 def begin_turning(islands, state, island):
     """Count the rotations of the objects of an island from where they are now."""
     for k in range(islands.object_ptr[island], islands.object_ptr[island + 1]):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from moorage._jit import inlined, kernel
+from moorage._jit import inlined, kernel, part
 from moorage._vec3 import get
 from moorage.layout import line_nodes, point_row
 from moorage.physics.current import current_at
@@ -83,7 +83,7 @@ def sample_water(system, time, position, scratch, record, out):
         add_current(system.current, get(position, row), time[row], out[row])
 
 
-@kernel
+@part
 def start_table(lines, islands, sea, table, position, velocity, island, t):
     """Fill the table of an island for the interval that begins at or before time t."""
     if count(sea) > 0 and sea.interval > 0.0:
@@ -100,7 +100,7 @@ def table_end(sea, table, island):
     return (table.number[island] + 1) * sea.interval
 
 
-@kernel
+@part
 def next_interval(lines, islands, sea, table, position, velocity, island, t):
     """Go on to the next interval of the table, from the motion (rows, 3) at time t."""
     table.number[island] += 1
