@@ -206,7 +206,8 @@ class Work(NamedTuple):
     increment: np.ndarray  # (rows, 3) solution of S x = force
     junction_matrix: np.ndarray  # (sum of (3 free)^2,) one dense matrix an island
     junction_force: np.ndarray  # (3 unknowns,)
-    load: np.ndarray  # (rows,) N, under which a node rubs on the bed, of the last iteration; -1: far from slipping
+    load: np.ndarray  # (rows, 4) N, under which a node rubs on the bed, of the last iteration, or -1: far from slipping;
+    # and the normal of the bed there
     direction: np.ndarray  # (lines, 2, 3) in which clamps point into the line at the time of the trial state
 
 
@@ -260,7 +261,7 @@ def new_work(system: System) -> Work:
         np.zeros((rows, 3)),
         np.zeros(int(system.islands.matrix_ptr[-1])),
         np.zeros(3 * len(system.islands.unknown_row)),
-        np.zeros(rows),
+        np.zeros((rows, 4)),
         np.zeros((len(system.lines.bends), 2, 3)),
     )
 

@@ -184,13 +184,6 @@ def bicubic(p, i, i1, j, j1, dx, dy, u, v):
 
 
 @inlined
-def normal_at(p, r):
-    """Unit normal of the bed at a place, upwards."""
-    _, zx, zy, _, _, _ = bed_at(p, r[0], r[1])
-    return normal_of(zx, zy)
-
-
-@inlined
 def normal_of(zx, zy):
     """Unit normal of a bed with these slopes, upwards."""
     if zx == 0.0 and zy == 0.0:

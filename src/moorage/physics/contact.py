@@ -66,7 +66,8 @@ def contact_terms(p, i, before, r, v, memory, c):
 def contact_on(p, i, bed, before, r, v, memory, c):
     """Same where the level and slopes of the bed under the node are known.
 
-    The block keeps the symmetric part of how n turns on a curved bed, and leaves out how a map's stiffness changes.
+    The block leaves out how a map's stiffness changes. At rest it keeps the symmetric part of how n turns on a curved
+    bed, and leaves it out where there is inertia, beside which it is nothing.
     """
     level, zx, zy, zxx, zxy, zyy = bed
     depth = level - r[2]
@@ -92,7 +93,7 @@ def contact_on(p, i, bed, before, r, v, memory, c):
         if ramp != 0.0:
             stiff -= c.stiffness * ramp * p.damper[i] * speed / n[2]
     block = isotropic_plus(0.0, stiff, n)
-    if zxx != 0.0 or zxy != 0.0 or zyy != 0.0:
+    if c.mass == 0.0 and (zxx != 0.0 or zxy != 0.0 or zyy != 0.0):
         block = sym_add(block, curvature_block(c.stiffness * elastic, n, zxx, zxy, zyy))
     return elastic - drag, n, block
 

@@ -177,7 +177,7 @@ def assemble_and_reduce(system, state, start, work, line, c):
     carried = begin_walk(system.lines, state.position, line)
     f, D, E = (0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     for i in range(first, last + 1):  # one call of `walk`, because it is inlined and long
-        f1, D1, E1, carried, work.load[i] = walk(system, state, start, line, i, last, carried, c)
+        f1, D1, E1, carried = walk(system, state, start, work.load, line, i, last, carried, c)
         if i > first + 1:
             inverse = sym_inverse(D)
             P = sym_sym(E, inverse)

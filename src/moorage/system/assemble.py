@@ -76,7 +76,7 @@ def assemble_line(system, state, start, work, line, c):
     first, last = line_nodes(system.lines, line)
     carried = begin_walk(system.lines, state.position, line)
     for i in range(first, last + 1):
-        force, own, coupling, carried, work.load[i] = walk(system, state, start, line, i, last, carried, c)
+        force, own, coupling, carried = walk(system, state, start, work.load, line, i, last, carried, c)
         put(work.force, i, force)
         sym_put(work.blocks.own, i, own)
         mat_put(work.blocks.next, i, sym_to_general(coupling))
@@ -93,12 +93,12 @@ def begin_walk(lines, position, line):
 
 
 @inlined
-def walk(system, state, start, line, i, last, carried, c):
+def walk(system, state, start, load, line, i, last, carried, c):
     """One step of the walk from end A to end B, at node i, bending left out.
 
     Returns the node's force, its own block, its coupling to the next node (symmetric) and what is carried there: of the
-    segment between them its vector, pull, block, wet share, buoyancy, minus the slope of that in z, and number; and
-    the load under which the node rubs on the bed, see `bed_terms`.
+    segment between them its vector, pull, block, wet share, buoyancy, minus the slope of that in z, and number. Sets
+    the load under which the node rubs on the bed, and the normal there, see `bed_terms`.
     """
     e_before, pull_before, block_before, share_before, lift_before, sink_before, j_before = carried
     n, j = np.uintp(i), j_before
@@ -122,13 +122,16 @@ def walk(system, state, start, line, i, last, carried, c):
         hydro = wet_part(system.morison, n, j_before, share_before, j, share)
     q = unit_or_zero(add(e_before, e))
     a = get(state.acceleration, i)
-    force, own, load = node_terms(system, n, hydro, q, water_of(state, i), r, v, a, start, c)
+    force, own, rubbed, normal = node_terms(system, n, hydro, q, water_of(state, i), r, v, a, start, c)
+    load[n, 0] = rubbed
+    if rubbed > 0.0:
+        load[n, 1], load[n, 2], load[n, 3] = normal
     force = add(force, sub(pull, pull_before))
     force = force[0], force[1], force[2] + lift_before + share * buoyancy
     sink = c.stiffness * buoyancy
     own = add_zz(sym_add(own, sym_add(block, block_before)), -sink_before - sink * d00)
     coupling = add_zz(sym_scale(-1.0, block), -sink * d01)
-    return force, own, coupling, (e, pull, block, share_far, share_far * buoyancy, sink * d11, j), load
+    return force, own, coupling, (e, pull, block, share_far, share_far * buoyancy, sink * d11, j)
 
 
 @inlined
@@ -154,7 +157,7 @@ def add_zz(s, x):
 
 @inlined
 def node_terms(system, i, hydro, q, water, r, v, a, start, c):
-    """Force and own block of inertia, drag, seabed and dry weight at a node, and the load under which it rubs.
+    """Force and own block of inertia, drag, seabed and dry weight at a node, the load under which it rubs, the normal.
 
     q: tangent of the line; water: elevation of the surface, velocity and acceleration of the water; start: the state at
     the start of the step.
@@ -167,16 +170,17 @@ def node_terms(system, i, hydro, q, water, r, v, a, start, c):
     inertia, inertia_block = inertia_terms(mass + added_normal, mass + added_axial, q, a, c)
     drag, drag_block = drag_terms(drag_normal, drag_axial, q, sub(v, water[1]), c)
     swell = anisotropic(displaced + added_normal, displaced + added_axial, q, water[2])
-    force, own, load = add(add(inertia, drag), swell), hydro_block(inertia_block, drag_block, q), 0.0
+    force, own = add(add(inertia, drag), swell), hydro_block(inertia_block, drag_block, q)
+    load, normal = 0.0, ZERO3
     if near:
-        push, bed_block, load = bed_terms(system, i, bed, q, r, v, start, c)
+        push, bed_block, load, normal = bed_terms(system, i, bed, q, r, v, start, c)
         force, own = add(force, push), sym_add(own, bed_block)
-    return (force[0], force[1], force[2] + system.weight.dry[i]), own, load
+    return (force[0], force[1], force[2] + system.weight.dry[i]), own, load, normal
 
 
 @inlined
 def bed_terms(system, i, bed, q, r, v, start, c):
-    """Contact and friction of the seabed on a node, their block, and the load (N) under which it rubs.
+    """Contact and friction of the seabed on a node, their block, the load (N) under which it rubs, and the normal.
 
     The load is -1 where friction surely holds the node.
     """
@@ -187,7 +191,7 @@ def bed_terms(system, i, bed, q, r, v, start, c):
         rub, rub_block, held = friction_terms(system.friction, i, load, n, q, r, v, get(start.stuck, i), c)
         force, block = add(force, rub), sym_add(block, rub_block)
         load = -1.0 if held else load
-    return force, block, load
+    return force, block, load, n
 
 
 @inlined
