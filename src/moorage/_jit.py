@@ -110,7 +110,7 @@ def _entry(part):
 
 
 def _inside(function, **options):
-    dispatcher = numba.njit(function, no_cpython_wrapper=True, **(_OPTIONS | options))
+    dispatcher = numba.njit(function, **(_OPTIONS | options | {"no_cpython_wrapper": True}))
     dispatcher.__class__ = _Inside
     return dispatcher
 

@@ -206,8 +206,7 @@ class Work(NamedTuple):
     increment: np.ndarray  # (rows, 3) solution of S x = force
     junction_matrix: np.ndarray  # (sum of (3 free)^2,) one dense matrix an island
     junction_force: np.ndarray  # (3 unknowns,)
-    load: np.ndarray  # (rows, 4) N, under which a node rubs on the bed, of the last iteration, or -1: far from slipping;
-    # and the normal of the bed there
+    load: np.ndarray  # (rows, 4) under which a node rubs on the bed, N, -1: far from slipping; the normal of the bed
     direction: np.ndarray  # (lines, 2, 3) in which clamps point into the line at the time of the trial state
 
 
