@@ -324,4 +324,6 @@ def _layout(
     bending = bending_of(model, built, index.allowed_bend_radius)
     outputs = plan_outputs(model, built, water)
     seabed, sea = seabed_of(model, built), water or model.environment.waves
-    return Layout(index, outputs, node_time, bending, seabed, sea, carried_of(model), static or {})
+    return Layout(
+        index, outputs, node_time, bending, seabed, sea, carried_of(model, built, bool(node_time)), static or {}
+    )

@@ -7,7 +7,7 @@ import numpy as np
 from moorage.moordyn import codes
 from moorage.moordyn.handles import Seafloor, Waves, live, raising, to_tuple
 from moorage.moordyn.system import System
-from moorage.results.channels import water_at
+from moorage.solve.water_at import water_at
 
 
 def ExternalWaveKinInit(instance: System) -> int:

@@ -254,12 +254,13 @@ class March:
         force = at_ends(c.FORCE_A, 3)
         points = record.points[:rows].copy()
         self._fill_prescribed(record.time[:rows], points)
-        holder_force, named = self._holder_force(force), len(self.built.names.points)
+        load, holder_force = at_ends(c.LOAD_A, 3), self._holder_force(force)
+        named = len(self.built.names.points)
         w = record.watch[:rows]
         block = {
             "time": record.time[:rows],
             "end_force": force,
-            "end_load": at_ends(c.LOAD_A, 3),
+            "end_load": load,
             "end_tension": at_ends(c.TENSION_A, 1)[..., 0],
             "end_moment": at_ends(c.MOMENT_A, 3),
             "lowest_tension": lines[:, :, c.LOWEST],
@@ -269,12 +270,15 @@ class March:
             "point_acceleration": points[:, :named, 6:9],
             "point_force": holder_force[:, :named],
             "holder_force": holder_force,
+            "holder_load": self._holder_force(load),
             "holder_position": points[:, :, 0:3],
             **self._carried(points, record, rows),
             "watch_position": w[:, :, c.POSITION : c.POSITION + 3],
             "watch_velocity": w[:, :, c.VELOCITY : c.VELOCITY + 3],
             "watch_force": w[:, :, c.FORCE : c.FORCE + 3],
             "watch_tension": w[:, :, c.TENSION],
+            "watch_lift": w[:, :, c.LIFT],
+            "watch_bed": w[:, :, c.BED : c.BED + 3],
         }
         if self.settings.dt_nodes:
             n, segments = int(self.built.names.node_ptr[-1]), int(self.built.names.segment_ptr[-1])
@@ -371,7 +375,7 @@ class March:
 
 def _must_have_nodes(built: Built, watch: tuple[tuple[int, int], ...]) -> None:
     """Refuse to watch nodes that are not there: kernels do not look whether they are."""
-    nodes = np.diff(built.names.node_ptr)
+    nodes = np.diff(built.system.lines.node_ptr)
     for line, node in watch:
         if not 0 <= line < len(nodes) or not 0 <= node < nodes[line]:
             raise ValueError(f"there is no node {node} of the line at place {line} to watch")
