@@ -62,14 +62,13 @@ class System:
         self.scheme = option(self.model, "tScheme", "implicit")
         self.pay_out: dict[int, float] = {}  # line: rate of its unstretched length, m/s
         self.closed = False
-        self.water: np.ndarray | None = None  # (nodes, 6) velocity and acceleration that the host gives
         self.text: Text | None = None
         self._build(build(self.model))
         self.pose, self.rate = described(self.model), np.zeros(self.coupling.size)
         self.mean = self.rate
 
     def _build(self, built: Built) -> None:
-        self.host = HostMarch(built, SETTINGS)
+        self.host = HostMarch(built, SETTINGS, hosts_water=self.model.environment.waves is None)
         self.coupling = Coupling(self.model, built, self.host.driven)
         self._record: Record | None = None
         self._forget()
@@ -164,7 +163,6 @@ class System:
         rate = mean + 0.5 * (mean - self.mean) if self.coupling.carries else mean
         if not self.coupling.carries:
             host.velocity = self.coupling.at(self.pose, mean)[1]
-        self._set_water()
         try:
             force = host.step(host.time + dt, *self.coupling.at(target, rate))
         except SimulationError:
@@ -257,8 +255,10 @@ class System:
         rows = np.insert(np.arange(len(before.state.position)), nodes + points, 0)
         rows[nodes + points] = before.names.node_ptr[lines[0] + end] - end
         state = State(*(v if name in OF_OBJECTS else v[rows] for name, v in before.state._asdict().items()))
-        time, march = self.time, self.host.march
+        time, march, given = self.time, self.host.march, before.system.sea.given
         self._build(new)
+        if given.shape[1] > 1:
+            self.built.system.sea.given[...] = np.concatenate([given[:, rows], given[:, -1:]], axis=1)
         self.host.take_over(time, state, *self.coupling.at(self.pose, self.rate))
         self.limit_step(march.control.step_max)
         if self.text is not None:
@@ -285,12 +285,13 @@ class System:
         load = self.host._record.lines[0, :, 0:6].reshape(-1, 2, 3)
         return any(np.linalg.norm(load[k, end]) > failure.tension for k, end in ends)
 
-    def _set_water(self) -> None:
-        """Put the host's water, where it gives any, at the nodes; without a sea and a current nothing overwrites it."""
-        if self.water is not None:
-            march, nodes = self.host.march, len(self.water)
-            for state in (march.built.state, march.old, march.built.work.trial):
-                state.water[:nodes, 1:7] = self.water
+    def set_water(self, rows: np.ndarray, values: np.ndarray) -> None:
+        """Set velocity and acceleration (n, 6) of the water at some rows of the state from now on, m/s and m/s2."""
+        given = self.built.system.sea.given
+        water = given[1, :-1].copy()
+        water[rows, 1:] = values
+        self.host.set_water(water[:, 0], water[:, 1:4], water[:, 4:])
+        self._forget()
 
     def save(self) -> Block:
         """Return everything that `restore` needs."""

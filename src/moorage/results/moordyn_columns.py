@@ -13,9 +13,10 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from moorage.model import Line
+from moorage.solve.given_water import WaterFeed
 from moorage.solve.march import Block
 from moorage.solve.parts import part_histories
-from moorage.solve.water_at import water_at
+from moorage.solve.water_at import water_along
 from moorage.system.build import Built
 
 XYZ = "xyz"
@@ -29,6 +30,7 @@ class Moment(NamedTuple):
     nodes: slice
     segments: slice
     shared: dict[str, np.ndarray]  # by name, what has been computed for all nodes of the block
+    feed: WaterFeed | None = None  # gives the waves in place of the model
 
     def at_nodes(self, name: str) -> np.ndarray:
         """Return a history of the line's nodes."""
@@ -78,9 +80,8 @@ class Moment(NamedTuple):
     def all_water(self) -> np.ndarray:
         """Return elevation, velocity and acceleration of the water at all nodes, (n, nodes, 7)."""
         if "water" not in self.shared:
-            r = self.block["node_position"]
-            times, rows = np.repeat(self.block["node_time"], r.shape[1]), np.tile(np.arange(r.shape[1]), len(r))
-            self.shared["water"] = water_at(self.built, times, r.reshape(-1, 3), rows).reshape(*r.shape[:2], -1)
+            r, times = self.block["node_position"], self.block["node_time"]
+            self.shared["water"] = water_along(self.built, times, r, np.arange(r.shape[1]), self.feed)
         return self.shared["water"]
 
     def water(self) -> np.ndarray:

@@ -23,6 +23,7 @@ from moorage.results.channels import Output
 from moorage.results.moordyn_columns import Columns, Moment, line_columns, names_of, values_of
 from moorage.results.rod_columns import RodMoment, rod_columns
 from moorage.results.rod_nodes import RodNodes, rod_nodes
+from moorage.solve.given_water import WaterFeed
 from moorage.solve.march import Block
 from moorage.system.build import Built
 
@@ -124,6 +125,8 @@ class MoordynOut:
         Whether blocks have node histories; without, files of lines and rods are refused.
     rows : mapping, optional
         Go on with files after so many "time" and "node_time".
+    water : WaterFeed, optional
+        Gives the waves in place of the model.
     """
 
     def __init__(
@@ -135,7 +138,9 @@ class MoordynOut:
         nodes: bool,
         rows: Mapping[str, int] | None = None,
         version: str = "",
+        water: WaterFeed | None = None,
     ):
+        self._water = water
         self.style = style_of(model)
         date = datetime.now().strftime("%d-%b-%Y at %H:%M:%S")
         self._head = [line.format(f"Moorage {version}".strip(), date) for line in self.style.preamble]
@@ -173,17 +178,21 @@ class MoordynOut:
     def _line_values(self, built: Built, k: int, columns: list[Columns]) -> Values:
         """Return how the columns of the k-th line follow from a block."""
         nodes, segments = (slice(*ptr[k : k + 2]) for ptr in (built.names.node_ptr, built.names.segment_ptr))
-        return lambda block: (
-            block["node_time"],
-            values_of(columns, Moment(built, block, nodes, segments, self._shared), len(block["node_time"])),
-        )
+
+        def values(block: Block) -> tuple[np.ndarray, np.ndarray]:
+            moment = Moment(built, block, nodes, segments, self._shared, self._water)
+            return block["node_time"], values_of(columns, moment, len(block["node_time"]))
+
+        return values
 
     def _rod_values(self, built: Built, nodes: RodNodes, columns: list[Columns]) -> Values:
         """Return how the columns of a rod follow from a block."""
-        return lambda block: (
-            block["time"],
-            values_of(columns, RodMoment(built, block, nodes, self._shared_rods), len(block["time"])),
-        )
+
+        def values(block: Block) -> tuple[np.ndarray, np.ndarray]:
+            moment = RodMoment(built, block, nodes, self._shared_rods, self._water)
+            return block["time"], values_of(columns, moment, len(block["time"]))
+
+        return values
 
     def _add(self, root: Path, suffix: str, columns, values: Values, rows: Mapping[str, int] | None, time: str) -> None:
         path = root.with_name(root.name + suffix)

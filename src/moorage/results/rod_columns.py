@@ -15,9 +15,10 @@ import numpy as np
 from moorage.model import Rod
 from moorage.results.moordyn_columns import Columns, vector
 from moorage.results.rod_nodes import RodNodes
+from moorage.solve.given_water import WaterFeed
 from moorage.solve.march import Block
 from moorage.solve.parts import part_histories
-from moorage.solve.water_at import row_of_holder, water_at
+from moorage.solve.water_at import row_of_holder, water_along
 from moorage.system.build import Built
 
 
@@ -28,6 +29,7 @@ class RodMoment(NamedTuple):
     block: Block
     nodes: RodNodes
     shared: dict[str, np.ndarray]  # by name, what has been computed for the nodes of all rods
+    feed: WaterFeed | None = None  # gives the waves in place of the model
 
     @property
     def position(self) -> np.ndarray:
@@ -44,7 +46,7 @@ class RodMoment(NamedTuple):
         first = int(self.built.names.node_ptr[-1])
         rows = first + np.arange(self.nodes.watched.start, self.nodes.watched.stop)
         rows = rows if len(rows) else np.array([row_of_holder(self.built, self.nodes.ends[0])])
-        return self._water(self.position, rows)
+        return water_along(self.built, self.block["time"], self.position, rows, self.feed)
 
     def part(self, name: str) -> np.ndarray:
         """Return a part of the forces on the nodes, see `moorage.solve.parts`, (n, nodes, 3), N."""
@@ -53,7 +55,7 @@ class RodMoment(NamedTuple):
         if name not in self.shared:
             first, last = self.built.names.node_ptr[-1], self.built.system.lines.node_ptr[-1]
             r, v = (self.block[f"watch_{kind}"][:, : last - first] for kind in ("position", "velocity"))
-            water = self._water(r, np.arange(first, last))
+            water = water_along(self.built, self.block["time"], r, np.arange(first, last), self.feed)
             self.shared[name] = part_histories(self.built, name, r, v, water, len(self.built.names.lines))
         return self.shared[name][:, self.nodes.watched]
 
@@ -72,12 +74,6 @@ class RodMoment(NamedTuple):
         if self.nodes.watched.stop > self.nodes.watched.start:
             out[..., 2] = self.built.system.weight.dry[first:][self.nodes.watched]
         return out
-
-    def _water(self, position: np.ndarray, rows: np.ndarray) -> np.ndarray:
-        """Return the water (n, k, 7) at places (n, k, 3) that are at state rows (k,)."""
-        n, k = position.shape[:2]
-        times = np.repeat(self.block["time"], k)
-        return water_at(self.built, times, position.reshape(-1, 3), np.tile(rows, n)).reshape(n, k, -1)
 
 
 def _force(letter: str, values: Callable[[RodMoment], np.ndarray], ending: str = "xyz", unit: str = "N") -> Columns:

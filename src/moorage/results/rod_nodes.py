@@ -70,6 +70,10 @@ class RodNodes(NamedTuple):
         ends = block["holder_position"][:, self.ends]
         return node / max(self.number - 1, 1) * (ends[:, 1] - ends[:, 0])
 
+    def position_of_all(self, block: Block) -> np.ndarray:
+        """Return the positions from those of the ends, where the nodes are not watched, (n, nodes, 3), m."""
+        return np.stack([self.place_of(block, node) for node in range(self.number)], axis=1)
+
     def axis(self, block: Block) -> np.ndarray:
         """Return the unit vectors from end A to end B, (n, 3); zeros for a rod of no length."""
         along = self._arm(block, self.number - 1)

@@ -84,7 +84,7 @@ class March:
         )
         self.old = new_state(len(self.built.state.position), len(self.built.state.attitude))
         if self._water is not None:
-            self._water.start(self.built.state, time)
+            self._water.start(self.built, time)
         start_islands(self.built.system, self.built.state, self.built.work, time)
         for target, source in zip(self.old, self.built.state, strict=True):
             target[...] = source
@@ -151,7 +151,7 @@ class March:
                 self._release({event.failure})
                 continue
             if self._water is not None and self._fed < time:
-                self._water.go_on(self.built.state)
+                self._water.go_on(self.built)
             elif failures:
                 self._release(failures)
             else:

@@ -6,6 +6,7 @@ import numpy as np
 
 from moorage.physics.sea import RECORD, scratch_for
 from moorage.physics.sea_table import FIELDS
+from moorage.solve.given_water import WaterFeed
 from moorage.system.build import Built
 from moorage.system.water import sample_water
 
@@ -19,6 +20,20 @@ def water_at(built: Built, time: np.ndarray, position: np.ndarray, rows: np.ndar
     sample_water(built.system, np.ascontiguousarray(time), place, scratch_for(built.system.sea), np.zeros(RECORD), out)
     given = built.system.sea.given
     return out if rows is None or given.shape[1] == 1 else out + given_at_rows(given, rows, time)
+
+
+def water_along(
+    built: Built, time: np.ndarray, position: np.ndarray, rows: np.ndarray, feed: WaterFeed | None = None
+) -> np.ndarray:
+    """Return the water (n, k, 7) at times (n,) and places (n, k, 3), which are those of state rows (k,).
+
+    feed: what gives the waves of a run in place of the model.
+    """
+    n, k = position.shape[:2]
+    flat = water_at(built, np.repeat(time, k), position.reshape(-1, 3), np.tile(rows, n)).reshape(n, k, -1)
+    if feed is not None:
+        flat += [feed.sample(t, places) for t, places in zip(time.tolist(), position, strict=True)]
+    return flat
 
 
 def given_at_rows(given: np.ndarray, rows: np.ndarray, time: np.ndarray) -> np.ndarray:
