@@ -31,7 +31,7 @@ def ExternalWaveKinGetCoordinates(instance: System) -> list[list[float]]:
     system = live(instance)
     block, rods = system.block, rod_nodes(system.model, system.built)
     now = {name: values[None] for name, values in block.items()}
-    places = [block["node_position"], *(nodes.position_of_all(now)[0] for nodes in rods), block["point_position"]]
+    places = [block["node_position"], *(nodes.position(now)[0] for nodes in rods), block["point_position"]]
     places += [np.zeros((1, 3)), block.get("body_position", np.zeros((0, 3)))]
     return np.concatenate(places).tolist()
 

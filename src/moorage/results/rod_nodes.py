@@ -45,11 +45,11 @@ class RodNodes(NamedTuple):
 
     def position(self, block: Block) -> np.ndarray:
         """Return the positions, (n, nodes, 3), m."""
-        return self._at("position", block, block["holder_position"][:, self.ends[:1]])
+        return np.stack([self.place_of(block, node) for node in range(self.number)], axis=1)
 
     def velocity(self, block: Block) -> np.ndarray:
         """Return the velocities, (n, nodes, 3), m/s."""
-        return self._at("velocity", block, block["rod_velocity"][:, self.place, None, :3])
+        return np.stack([self.velocity_of(block, node) for node in range(self.number)], axis=1)
 
     def place_of(self, block: Block, node: int) -> np.ndarray:
         """Return the position of a node between the ends, (n, 3), m."""
@@ -69,10 +69,6 @@ class RodNodes(NamedTuple):
     def _arm(self, block: Block, node: int) -> np.ndarray:
         ends = block["holder_position"][:, self.ends]
         return node / max(self.number - 1, 1) * (ends[:, 1] - ends[:, 0])
-
-    def position_of_all(self, block: Block) -> np.ndarray:
-        """Return the positions from those of the ends, where the nodes are not watched, (n, nodes, 3), m."""
-        return np.stack([self.place_of(block, node) for node in range(self.number)], axis=1)
 
     def axis(self, block: Block) -> np.ndarray:
         """Return the unit vectors from end A to end B, (n, 3); zeros for a rod of no length."""
