@@ -304,6 +304,17 @@ def test_the_host_may_give_the_water(deck):
     )
     expected = moorage.solve_statics(model)["point_force"].sel(point=2).values
     np.testing.assert_allclose(force, expected, atol=0.01 * np.linalg.norm(expected))
+    saved = moordyn.Serialize(system)  # with the water
+    other = moordyn.Create(str(path))
+    moordyn.Init(other, start(other), [0.0] * 3)
+    still = moordyn.Serialize(other)
+    moordyn.Deserialize(other, saved)
+    again, on = (moordyn.Step(s, start(s), [0.0] * 3, s.time, DT) for s in (other, system))
+    np.testing.assert_array_equal(again, on)
+    moordyn.Deserialize(other, still)  # without
+    for _ in range(3):
+        force = moordyn.Step(other, start(other), [0.0] * 3, other.time, DT)
+    assert abs(force[1]) < 1e-3 * abs(force[0])
     with pytest.raises(RuntimeError, match="24 x 3"):
         moordyn.ExternalWaveKinSet(system, [[0.0] * 3], [[0.0] * 3], 0.0)
     assert moordyn.GetSeafloor(system) is None

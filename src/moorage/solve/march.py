@@ -254,7 +254,8 @@ class March:
         force = at_ends(c.FORCE_A, 3)
         points = record.points[:rows].copy()
         self._fill_prescribed(record.time[:rows], points)
-        load, holder_force = at_ends(c.LOAD_A, 3), self._holder_force(force)
+        load = at_ends(c.LOAD_A, 3)
+        holder_force, holder_load = self._on_holders(force, load)
         named = len(self.built.names.points)
         w = record.watch[:rows]
         block = {
@@ -270,7 +271,7 @@ class March:
             "point_acceleration": points[:, :named, 6:9],
             "point_force": holder_force[:, :named],
             "holder_force": holder_force,
-            "holder_load": self._holder_force(load),
+            "holder_load": holder_load,
             "holder_position": points[:, :, 0:3],
             **self._carried(points, record, rows),
             "watch_position": w[:, :, c.POSITION : c.POSITION + 3],
@@ -333,13 +334,14 @@ class March:
         for k in held[tracks.track[held] >= 0]:
             sample_track(tracks, k, times, points[:, k, 0:3], points[:, k, 3:6], points[:, k, 6:9])
 
-    def _holder_force(self, force) -> np.ndarray:
-        """Sum of the forces of all lines on each point and rod end."""
+    def _on_holders(self, *forces: np.ndarray) -> tuple[np.ndarray, ...]:
+        """Sums (n, points, 3) of forces (n, lines, 2, 3) of all lines on each point and rod end."""
         ends = self.built.system.lines.end_point[: len(self.built.names.lines)].ravel()
-        n, points = len(force), len(self.built.system.points.mass)
+        n, points = len(forces[0]), len(self.built.system.points.mass)
         holds = csr_array((np.ones(len(ends)), (ends, np.arange(len(ends)))), shape=(points, len(ends)))
-        by_end = force.reshape(n, len(ends), 3).swapaxes(0, 1).reshape(len(ends), 3 * n)
-        return (holds @ by_end).reshape(points, n, 3).swapaxes(0, 1)
+        by_end = np.concatenate([f.reshape(n, len(ends), 3).swapaxes(0, 1) for f in forces], axis=1)
+        sums = (holds @ by_end.reshape(len(ends), -1)).reshape(points, len(forces), n, 3)
+        return tuple(sums[:, k].swapaxes(0, 1) for k in range(len(forces)))
 
     def _failure(self, island: int, record: Record) -> SimulationError:
         time = float(self.clocks.time[island])
