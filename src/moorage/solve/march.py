@@ -340,7 +340,7 @@ class March:
         n, points = len(forces[0]), len(self.built.system.points.mass)
         holds = csr_array((np.ones(len(ends)), (ends, np.arange(len(ends)))), shape=(points, len(ends)))
         by_end = np.concatenate([f.reshape(n, len(ends), 3).swapaxes(0, 1) for f in forces], axis=1)
-        sums = (holds @ by_end.reshape(len(ends), -1)).reshape(points, len(forces), n, 3)
+        sums = (holds @ by_end.reshape(len(ends), 3 * n * len(forces))).reshape(points, len(forces), n, 3)
         return tuple(sums[:, k].swapaxes(0, 1) for k in range(len(forces)))
 
     def _failure(self, island: int, record: Record) -> SimulationError:
