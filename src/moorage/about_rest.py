@@ -34,11 +34,12 @@ def natural_modes(model: Model, number: int = 10) -> xr.Dataset:
     -------
     xarray.Dataset
         `frequency` (Hz), `period` (s), `mode_shape`, `point_shape`, `line_energy`, by `mode`; `node_position` at rest.
+        With rods and bodies `rod_shape`, `body_shape`, `body_turn`, `rod_energy`, `body_energy`.
     """
     if not (isinstance(number, int) and number > 0):
         raise InputError(Problem("the number of modes must be positive", "give 1 or more", value=number))
     built, attrs = _at_rest(model)
-    ds = modes_dataset(make_index(model, built.names), built, modes_at_rest(built, number), attrs)
+    ds = modes_dataset(model, make_index(model, built.names), built, modes_at_rest(built, number), attrs)
     unstable = int(ds["frequency"].isnull().sum())
     if unstable:
         warnings.warn(f"the static state is not stable in {unstable} of the modes", ModelWarning, stacklevel=2)

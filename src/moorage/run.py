@@ -216,7 +216,7 @@ def simulate(
     if moordyn_out is not None:
         rows_written = _rows_written(saved.rows, layout.node_time) if saved else None
         nodes = settings.dt_nodes is not None
-        text = MoordynOut(Path(moordyn_out), model, built, layout.outputs, nodes, rows_written, VERSION)
+        text = MoordynOut(Path(moordyn_out), model, built, layout.outputs, nodes, rows_written, VERSION, feed)
     if output is None:
         result = stream(march, MemoryResult(layout, attrs), layout, progress, text=text)
     else:
@@ -324,4 +324,6 @@ def _layout(
     bending = bending_of(model, built, index.allowed_bend_radius)
     outputs = plan_outputs(model, built, water)
     seabed, sea = seabed_of(model, built), water or model.environment.waves
-    return Layout(index, outputs, node_time, bending, seabed, sea, carried_of(model), static or {})
+    return Layout(
+        index, outputs, node_time, bending, seabed, sea, carried_of(model, built, bool(node_time)), static or {}
+    )

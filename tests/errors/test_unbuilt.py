@@ -9,7 +9,6 @@ from moorage.io import read
 from moorage.model import (
     Attachment,
     Control,
-    OutputChannel,
     Point,
     Rod,
     UnreadWater,
@@ -57,9 +56,6 @@ CASES = {
     "waves of WaveKin 6 are": _around(unread_water=UnreadWater(option="WaveKin", value="6", source=AT)),
     "currents of Currents 4 are": _around(unread_water=UnreadWater(option="Currents", value="4", source=AT)),
     "controlled lengths are": _with(controls=(Control(channel=1, lines=(1,), source=AT),)),
-    "forces and accelerations of nodes of rods are": _with(
-        outputs=(OutputChannel(name="ROD1N2FX", source=AT), OutputChannel(name="ROD1PX", source=AT))
-    ),
 }
 
 

@@ -291,7 +291,7 @@ def test_the_host_may_give_the_water(deck):
     system = moordyn.Create(str(path))
     moordyn.Init(system, start(system), [0.0] * 3)
     n = moordyn.ExternalWaveKinInit(system)
-    assert n == moordyn.ExternalWaveKinGetN(system) == 21
+    assert n == moordyn.ExternalWaveKinGetN(system) == 21 + 2 + 1  # nodes, points, the ground
     where = moordyn.ExternalWaveKinGetCoordinates(system)
     assert where == moordyn.GetWaveKinCoordinates(system)
     np.testing.assert_allclose(where[0], [-837.6, 0.0, -200.0])
@@ -304,7 +304,18 @@ def test_the_host_may_give_the_water(deck):
     )
     expected = moorage.solve_statics(model)["point_force"].sel(point=2).values
     np.testing.assert_allclose(force, expected, atol=0.01 * np.linalg.norm(expected))
-    with pytest.raises(RuntimeError, match="21 x 3"):
+    saved = moordyn.Serialize(system)  # with the water
+    other = moordyn.Create(str(path))
+    moordyn.Init(other, start(other), [0.0] * 3)
+    still = moordyn.Serialize(other)
+    moordyn.Deserialize(other, saved)
+    again, on = (moordyn.Step(s, start(s), [0.0] * 3, s.time, DT) for s in (other, system))
+    np.testing.assert_array_equal(again, on)
+    moordyn.Deserialize(other, still)  # without
+    for _ in range(3):
+        force = moordyn.Step(other, start(other), [0.0] * 3, other.time, DT)
+    assert abs(force[1]) < 1e-3 * abs(force[0])
+    with pytest.raises(RuntimeError, match="24 x 3"):
         moordyn.ExternalWaveKinSet(system, [[0.0] * 3], [[0.0] * 3], 0.0)
     assert moordyn.GetSeafloor(system) is None
     assert moordyn.GetWavesKin(moordyn.GetWaves(system), 0.0, 0.0, -10.0) == ((0.0,) * 3, (0.0,) * 3, 0.0, 0.0)
@@ -582,5 +593,5 @@ def test_waves_are_those_of_the_model():
     np.testing.assert_allclose(current, [-0.5 * (48.0 / 60.0) ** (1.0 / 7.0), 0.0, 0.0], atol=0.01)
     np.testing.assert_allclose(a, expected.acceleration, atol=1e-9)
     assert (eta, pressure) == (pytest.approx(float(expected.elevation)), pytest.approx(float(expected.pressure)))
-    with pytest.raises(RuntimeError, match="waves or a current of its own"):
+    with pytest.raises(RuntimeError, match="waves of its own"):
         moordyn.ExternalWaveKinSet(system, [], [], 0.0)

@@ -5,7 +5,8 @@ Verifies: sea
 A sea that is also the model's own is sampled by a function. Between the samples it is linear, so that velocities of
 the water are off by (w D)^2 / 8 of each component, and those of the nodes by no more: with w at most 2.2 rad/s and
 mostly 0.63, an interval D = 0.1 s gives 5e-4 to 6e-3. Errors must fall with D^2. A host that sets the same values over
-each coupling step must get the forces of the function to what its guess of the nodes' places differs.
+each coupling step must get the forces of the function to what its guess of the nodes' places differs. Water that varies
+in space finds coupled bodies and rods where their motion has taken them, and pushes them.
 """
 
 from __future__ import annotations
@@ -15,11 +16,12 @@ import dataclasses
 import numpy as np
 import pytest
 from common import must_fail, rate, rms
+from floats import WATER, body, floating, rod
 from moorings import coupled, fixed, kind, single
 
 import moorage
 from moorage.errors import InputError, SimulationError, UnsupportedError
-from moorage.model import Current, OutputChannel, Waves
+from moorage.model import Current, OutputChannel, RodType, Waves
 
 SEA = Waves.irregular("jonswap", 3.0, 10.0, depth=60.0, components=60, ramp=5.0, seed=4)
 ROPE = kind(
@@ -168,3 +170,68 @@ def test_what_does_not_fit_is_refused():
         sim.set_water(np.full(15, np.nan), np.zeros((15, 3)))
     with pytest.raises(SimulationError, match=r"set_water\(\) at -1.0 s, but the run is at 0 s"):
         sim.set_water(None, np.zeros((15, 3)), time=-1.0)
+
+
+def swept(t: float, r) -> tuple:
+    """Still water with an elevation, whose velocity grows with x: it tells where it was asked for."""
+    flow = np.zeros_like(r)
+    flow[:, 0], flow[:, 1] = 0.2 * r[:, 0], 0.5
+    return np.full(len(r), 0.3), flow, np.zeros_like(r)
+
+
+def platform(**environment) -> moorage.Model:
+    """A coupled body with drag that carries a rod through the surface and an inclined one, and a line."""
+    kind = RodType(name="spar", diameter=0.5, mass_per_length=100.0, transverse_drag=1.0, end_drag=0.5)
+    bodies = [body(kind="coupled", position=(2.0, 0.0, -8.0), drag_area=(3.0, 3.0, 3.0, 0.0, 0.0, 0.0), volume=0.1)]
+    rods = [
+        rod(1, "fixed", (0, 0, 4), (0, 0, 10), 6, body=1),
+        rod(2, "fixed", (1, 0, -1), (3, 1, -4), 3, body=1, outputs="pUD"),
+    ]
+    names = ("BODY1FX", "BODY1FY", "ROD1SUB", "ROD2N3FX", "ROD2FY")
+    made = floating(bodies, rods, kind, environment=WATER | environment)
+    return dataclasses.replace(made, outputs=tuple(OutputChannel(name=name) for name in names))
+
+
+def check_platform(x: float = 5.0) -> None:
+    """At x = 5 m, where a motion has taken it; held there from the start in the same water as a current is the truth."""
+    t, path = np.linspace(0.0, 4.0, 201), np.zeros((201, 6))
+    path[:, 0] = 1.5 * (1.0 - np.cos(0.5 * np.pi * np.minimum(t, 2.0)))
+    there = moorage.Motion.from_platform(t, path)
+    found = moorage.simulate(platform(), duration=4.0, motion=there, water=swept, time_step=0.05).isel(time=-1)
+    moved = dataclasses.replace(platform(), bodies=(dataclasses.replace(platform().bodies[0], position=(x, 0, -8.0)),))
+    held = moorage.simulate(moved, duration=0.1, water=swept, time_step=0.05).isel(time=-1)
+    for name in ("BODY1FX", "BODY1FY", "ROD1SUB", "ROD2N3FX", "ROD2FY"):
+        assert float(found[name]) == pytest.approx(float(held[name]), rel=1e-9, abs=1e-6), name
+    drag = 0.5 * 1025.0 * 3.0 * np.hypot(0.2 * x, 0.5) * 0.2 * x  # of the body by itself
+    assert float(held["BODY1FX"]) > drag
+    assert float(held["ROD1SUB"]) == pytest.approx((4.0 + 0.3) / 6.0)
+
+
+def test_water_reaches_what_a_motion_holds():
+    check_platform()
+    must_fail(check_platform, 2.0)
+
+
+def test_water_of_a_host_pushes_a_coupled_body():
+    """The drag on the body by itself: the difference that its drag area makes, in closed form."""
+    flow, loads = np.array([0.8, -0.3, 0.1]), []
+    for area in (3.0, 0.0):
+        model = platform()
+        drag = (area, area, area, 0.0, 0.0, 0.0)
+        model = dataclasses.replace(model, bodies=(dataclasses.replace(model.bodies[0], drag_area=drag),))
+        sim = moorage.Simulation(model, host_waves=True)
+        sim.initialize()
+        sim.set_water(None, np.tile(flow, (len(sim.water_nodes()), 1)))
+        loads.append(sim.step(0.1, sim.position, np.zeros(6)))
+    exact = 0.5 * 1025.0 * 3.0 * np.linalg.norm(flow) * flow
+    np.testing.assert_allclose((loads[0] - loads[1])[:3], exact, rtol=1e-9)
+
+
+def test_files_of_rods_tell_the_water_of_a_function(tmp_path):
+    model = dataclasses.replace(platform(), flavour="MoorDyn-F")
+    moorage.simulate(model, duration=0.5, dt_out=0.25, water=swept, time_step=0.05, moordyn_out=tmp_path / "run")
+    names, _, *rows = (line.split() for line in (tmp_path / "run.MD.Rod2.out").read_text().splitlines())
+    last = dict(zip(names, map(float, rows[-1]), strict=True))
+    for i in range(4):
+        assert last[f"Node{i}Ux"] == pytest.approx(0.2 * last[f"Node{i}px"], rel=1e-6)
+        assert last[f"Node{i}Uy"] == pytest.approx(0.5)

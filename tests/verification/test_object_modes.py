@@ -97,6 +97,55 @@ def test_rod_on_two_ropes():
     np.testing.assert_allclose(ds["frequency"] * 2.0 * np.pi, np.sqrt(modes.squares))
 
 
+def test_shapes_of_a_rod_on_a_pin():
+    """End A stays, end B has the largest displacement, across; all energy is the rod's."""
+    ds = moorage.natural_modes(floating(rods=[rod(1, "pinned", (0, 0, -50), (0, 0, -52))], environment=AIR))
+    np.testing.assert_allclose(ds["rod_shape"].sel(rod=1, rod_end="A"), 0.0, atol=1e-12)
+    np.testing.assert_allclose(np.linalg.norm(ds["rod_shape"].sel(rod=1, rod_end="B"), axis=1), 1.0)
+    np.testing.assert_allclose(ds["rod_shape"].sel(xyz="z"), 0.0, atol=1e-9)
+    np.testing.assert_allclose(ds["rod_energy"], 1.0)
+    for row in moorage.results.modes_report(ds):
+        assert row["moves"] == "rod 1"
+        assert row["along"] in ("about x", "about y")
+
+
+def check_turns(yaw: float = 0.5 * np.pi) -> None:
+    """A body on a pin, yawed by 90 degrees: its lower mode, about its own y (the larger inertia), is about x."""
+    it = body(kind="pinned", centre_of_gravity=(0.0, 0.0, -2.0), rotation=(0.0, 0.0, yaw))
+    ds = moorage.natural_modes(floating([it], environment=AIR))
+    np.testing.assert_allclose(np.abs(ds["body_turn"].values[:, 0]), np.eye(3)[[2, 0, 1]], atol=1e-6)
+    np.testing.assert_allclose(ds["body_shape"], 0.0, atol=1e-12)
+    np.testing.assert_allclose(ds["body_energy"], 1.0)
+    assert [row["along"] for row in moorage.results.modes_report(ds)] == ["about z", "about x", "about y"]
+
+
+def test_turns_of_a_body_are_in_global_axes():
+    check_turns()
+    must_fail(check_turns, 0.0)
+
+
+def test_shape_of_heave_and_of_a_rod_that_turns_level():
+    kind = RodType(name="spar", diameter=1.0, mass_per_length=500.0, end_added_mass=0.6)
+    it = floating(rods=[rod(1, "free", (0, 0, -6), (0, 0, 4), 20)], types=kind, environment=WATER)
+    ds = moorage.natural_modes(it, 5)
+    heave = int(np.abs(ds["rod_shape"].values[:, 0, 0, 2]).argmax())
+    np.testing.assert_allclose(np.abs(ds["rod_shape"].values[heave, 0]), [[0, 0, 1], [0, 0, 1]], atol=1e-6)
+    assert moorage.results.modes_report(ds)[heave]["along"] == "z"
+    ds = moorage.natural_modes(hung(), 3)
+    assert [row["moves"] for row in moorage.results.modes_report(ds)] == ["rod 1"] * 3
+    assert moorage.results.modes_report(ds)[2]["along"] == "about z"
+    np.testing.assert_allclose(ds["rod_energy"], 1.0, atol=2e-3)
+
+
+def test_a_body_carries_its_points():
+    """A point on a body moves as its reference point and turn say."""
+    ds = moorage.natural_modes(springs(), 6)
+    arms = np.array([[1.0, 0.0, 0.0], [-1.0, 0.0, 0.0]])
+    there = ds["body_shape"].values + np.cross(ds["body_turn"].values, arms)
+    np.testing.assert_allclose(ds["point_shape"].sel(point=[2, 3]), there, atol=1e-9)
+    assert (ds["body_energy"].values > 0.9).any()
+
+
 def springs() -> moorage.Model:
     """A coupled point, a spring, a free body, another spring and an anchor, pulled straight in nothing."""
     kinds = [

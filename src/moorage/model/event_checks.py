@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from moorage.errors import Problem
-from moorage.model.channels import parse_channel
+from moorage.model.channels import parse_channel, why_not
 from moorage.model.components import Attachment, Line
 from moorage.model.model import Model
 
@@ -66,7 +66,7 @@ def channels_exist(model: Model) -> Iterator[Problem]:
     for output in model.outputs:
         channel = parse_channel(output.name)
         if channel is None:
-            yield Problem("output channel is not known", "write FAIRTEN1, LINE1N5PX, ...", output.source, output.name)
+            yield Problem(why_not(output.name), "write FAIRTEN1, LINE1N5PX, ...", output.source, output.name)
         elif channel.id not in segments[channel.object]:
             message = f"output channel {output.name} is of {channel.object} {channel.id}, which is not described"
             yield Problem(message, described(model, channel.object), output.source)

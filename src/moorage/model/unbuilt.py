@@ -6,7 +6,6 @@ from collections.abc import Callable, Iterator
 
 from moorage.errors import Problem, UnsupportedError
 from moorage.model.cables import stiff_ends
-from moorage.model.channels import parse_channel
 from moorage.model.model import Model
 
 
@@ -83,14 +82,6 @@ def _controls(model: Model) -> Iterator[Problem]:
         yield Problem(message, "remove it", control.source)
 
 
-def _channels(model: Model) -> Iterator[Problem]:
-    for output in model.outputs:
-        channel = parse_channel(output.name)
-        if channel and channel.object == "rod" and channel.node is not None and channel.quantity[0] in "FA":
-            message = f"channel {output.name}: forces and accelerations of nodes of rods are not simulated yet"
-            yield Problem(message, "remove it, or ask for that of the rod", output.source)
-
-
 UNBUILT: tuple[Callable[[Model], Iterator[Problem]], ...] = (
     _joints,
     _turbines,
@@ -100,5 +91,4 @@ UNBUILT: tuple[Callable[[Model], Iterator[Problem]], ...] = (
     _vortex_vibration,
     _waves,
     _controls,
-    _channels,
 )

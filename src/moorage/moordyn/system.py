@@ -62,7 +62,6 @@ class System:
         self.scheme = option(self.model, "tScheme", "implicit")
         self.pay_out: dict[int, float] = {}  # line: rate of its unstretched length, m/s
         self.closed = False
-        self.water: np.ndarray | None = None  # (nodes, 6) velocity and acceleration that the host gives
         self.text: Text | None = None
         self._build(build(self.model))
         self.pose, self.rate = described(self.model), np.zeros(self.coupling.size)
@@ -164,7 +163,6 @@ class System:
         rate = mean + 0.5 * (mean - self.mean) if self.coupling.carries else mean
         if not self.coupling.carries:
             host.velocity = self.coupling.at(self.pose, mean)[1]
-        self._set_water()
         try:
             force = host.step(host.time + dt, *self.coupling.at(target, rate))
         except SimulationError:
@@ -257,13 +255,13 @@ class System:
         rows = np.insert(np.arange(len(before.state.position)), nodes + points, 0)
         rows[nodes + points] = before.names.node_ptr[lines[0] + end] - end
         state = State(*(v if name in OF_OBJECTS else v[rows] for name, v in before.state._asdict().items()))
-        time, march = self.time, self.host.march
+        time, march, given = self.time, self.host.march, before.system.sea.given
         self._build(new)
+        if given.shape[1] > 1:
+            self.host.take_water(np.concatenate([given[:, rows], given[:, -1:]], axis=1))
         self.host.take_over(time, state, *self.coupling.at(self.pose, self.rate))
         self.limit_step(march.control.step_max)
-        if self.text is not None:
-            self.text.close()
-            self.text = Text(self.path, self.model, self.built, self.text.rows)
+        self._reopen()
         self.log.say(LEVEL_MSG, f"{', '.join(f'line {old.lines[k].id}' for k in lines)} came off {attachment}")
 
     def _break_lines(self) -> bool:
@@ -285,12 +283,25 @@ class System:
         load = self.host._record.lines[0, :, 0:6].reshape(-1, 2, 3)
         return any(np.linalg.norm(load[k, end]) > failure.tension for k, end in ends)
 
-    def _set_water(self) -> None:
-        """Put the host's water, where it gives any, at the nodes; without a sea and a current nothing overwrites it."""
-        if self.water is not None:
-            march, nodes = self.host.march, len(self.water)
-            for state in (march.built.state, march.old, march.built.work.trial):
-                state.water[:nodes, 1:7] = self.water
+    def _take_water(self) -> None:
+        """Let the host give the water; what needs it not, a step goes without."""
+        self.host.take_water()
+        self._reopen()
+
+    def _reopen(self) -> None:
+        """Go on in the files with another system."""
+        if self.text is not None:
+            self.text.close()
+            self.text = Text(self.path, self.model, self.built, self.text.rows)
+
+    def set_water(self, rows: np.ndarray, values: np.ndarray) -> None:
+        """Set velocity and acceleration (n, 6) of the water at some rows of the state from now on, m/s and m/s2."""
+        if self.built.system.sea.given.shape[1] == 1:
+            self._take_water()
+        water = self.built.system.sea.given[1, :-1].copy()
+        water[rows, 1:] = values
+        self.host.set_water(water[:, 0], water[:, 1:4], water[:, 4:])
+        self._forget()
 
     def save(self) -> Block:
         """Return everything that `restore` needs."""
@@ -303,12 +314,19 @@ class System:
         if not self.started:
             self.initialize(self.pose, self.rate, static=False)
         now = self.host.save()
-        wrong = [name for name in now if name not in saved or saved[name].shape != now[name].shape]
+        free = {"given"}  # water of the host: there may be none, now or then
+        wrong = [n for n in now if n not in saved or (n not in free and saved[n].shape != now[n].shape)]
         if wrong:
             raise MoorageError(f"the saved state is of another system: {', '.join(wrong)} differ in shape")
         for k, length in enumerate(saved["length"]):
             if length != self.model.lines[k].length:
                 self.change_line(k, length=float(length))
+        given, present = saved["given"], self.built.system.sea.given
+        if given.shape != present.shape:
+            if present.shape[1] == 1:
+                self._take_water()
+            else:
+                saved = saved | {"given": np.zeros_like(present)}  # still
         self.host.restore({name: saved[name] for name in now})
         self.pose, self.rate, self.mean = (saved[name].copy() for name in ("pose", "rate", "mean"))
         self._forget()

@@ -7,16 +7,18 @@ import numpy as np
 from moorage.moordyn import codes
 from moorage.moordyn.handles import Seafloor, Waves, live, raising, to_tuple
 from moorage.moordyn.system import System
-from moorage.results.channels import water_at
+from moorage.results.rod_nodes import rod_nodes
+from moorage.solve.water_at import row_of_body, row_of_holder, water_at
+from moorage.system.build import Built
 
 
 def ExternalWaveKinInit(instance: System) -> int:
-    """Return the number of places where the host may give the motion of the water (option WaveKin 1): the nodes."""
-    system = live(instance)
-    nodes = int(system.built.names.node_ptr[-1])
-    if system.water is None:
-        system.water = np.zeros((nodes, 6))
-    return nodes
+    """Return the number of places where the host may give the motion of the water (option WaveKin 1).
+
+    They are those of MoorDyn: the nodes of all lines from end A to end B, those of all rods, the points, the ground and
+    the bodies, each in the order of the file.
+    """
+    return len(water_rows(live(instance)))
 
 
 def ExternalWaveKinGetN(instance: System) -> int:
@@ -25,8 +27,13 @@ def ExternalWaveKinGetN(instance: System) -> int:
 
 
 def ExternalWaveKinGetCoordinates(instance: System) -> list[list[float]]:
-    """Return those places, (n, 3), m: the nodes of all lines from end A to end B, in the order of the file."""
-    return live(instance).block["node_position"].tolist()
+    """Return those places, (n, 3), m."""
+    system = live(instance)
+    block, rods = system.block, rod_nodes(system.model, system.built)
+    now = {name: values[None] for name, values in block.items()}
+    places = [block["node_position"], *(nodes.position(now)[0] for nodes in rods), block["point_position"]]
+    places += [np.zeros((1, 3)), block.get("body_position", np.zeros((0, 3)))]
+    return np.concatenate(places).tolist()
 
 
 def GetWaveKinCoordinates(instance: System) -> list[list[float]]:
@@ -36,19 +43,41 @@ def GetWaveKinCoordinates(instance: System) -> list[list[float]]:
 
 @raising
 def ExternalWaveKinSet(instance: System, u, a, t: float) -> int:
-    """Set velocity (m/s) and acceleration (m/s2) of the water, (n, 3), from now on; return 0."""
+    """Set velocity (m/s) and acceleration (m/s2) of the waves, (n, 3), from now on; return 0. A current is added."""
     system, values = live(instance), []
-    sea = system.built.system
-    if sea.sea.parts.shape[1] or sea.current.flows:
-        raise RuntimeError("ExternalWaveKinSet: the model has waves or a current of its own; remove them")
-    nodes = ExternalWaveKinInit(instance)
+    if system.model.environment.waves is not None:
+        raise RuntimeError("ExternalWaveKinSet: the model has waves of its own; remove them")
+    rows = water_rows(system)
+    nodes = len(rows)
     for name, given in (("velocities", u), ("accelerations", a)):
         array = np.array(given, dtype=float)
         if array.shape != (nodes, 3) or not np.isfinite(array).all():
             raise RuntimeError(f"ExternalWaveKinSet: {name} must be {nodes} x 3 finite numbers")
         values.append(array)
-    system.water = np.hstack(values)
+    known = rows >= 0
+    system.set_water(*_with_ends(system.built, rows[known], np.hstack(values)[known]))
     return codes.ERRCODE_SUCCESS
+
+
+def water_rows(system: System) -> np.ndarray:
+    """Return the state row of each place, (n,); -1: the ground's, whose water moves nothing."""
+    built, first = system.built, int(system.built.names.node_ptr[-1])
+    rows = list(range(first))
+    for ends, line in zip(built.rods.ends, built.rods.line, strict=True):
+        rows += range(*built.system.lines.node_ptr[line : line + 2]) if line >= 0 else [row_of_holder(built, ends[0])]
+    rows += [row_of_holder(built, k) for k in range(len(system.model.points))]
+    return np.array(rows + [-1] + [row_of_body(built, k) for k in range(len(system.model.bodies))], dtype=np.int64)
+
+
+def _with_ends(built: Built, rows: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Add the rows of the ends of rods, where the water is that of their end nodes."""
+    ends, nodes = [], []
+    for holders, line in zip(built.rods.ends, built.rods.line, strict=True):
+        if line >= 0:
+            a, b = built.system.lines.node_ptr[line : line + 2]
+            ends += [row_of_holder(built, holder) for holder in holders]
+            nodes += [int(np.flatnonzero(rows == row)[0]) for row in (a, b - 1)]
+    return np.concatenate([rows, np.array(ends, dtype=np.int64)]), np.concatenate([values, values[nodes]])
 
 
 def SetWaveKin(instance: System, u, a, t: float) -> int:

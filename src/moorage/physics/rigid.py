@@ -16,11 +16,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from moorage._jit import inlined
+from moorage._jit import inlined, kernel
 from moorage._vec3 import (
     add,
     cross,
     dot,
+    get,
+    mat_get,
     mat_t_times,
     mat_times,
     scale,
@@ -266,3 +268,18 @@ def body_load(p, o, z, R, V, A, omega, alpha, water, c):
     hydro, turn, _ = water_terms(p, o, wet, R, V, A, omega, water, c)
     moment = add(moment, add(turn, turning_drag(p, o, wet, omega, c)[0]))
     return add(add(force, lift), add(hydro, given_load(p, o, R, V, c)[0])), moment
+
+
+@kernel
+def sample_rigid(p, o, water, position, axes, velocity, acceleration, c, out):
+    """Fill (n, 6) with force and moment on a body by itself, in global axes, from its motion."""
+    for row in range(len(out)):
+        R, V, A = mat_get(axes, row), get(velocity, row), get(acceleration, row)
+        omega = mat_t_times(R, (velocity[row, 3], velocity[row, 4], velocity[row, 5]))
+        alpha = mat_t_times(R, (acceleration[row, 3], acceleration[row, 4], acceleration[row, 5]))
+        w = water[row]
+        around = w[0], (w[1], w[2], w[3]), (w[4], w[5], w[6])
+        force, moment = body_load(p, o, position[row, 2], R, V, A, omega, alpha, around, c)
+        turn = mat_times(R, moment)
+        for x in range(3):
+            out[row, x], out[row, 3 + x] = force[x], turn[x]

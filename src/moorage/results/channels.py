@@ -21,9 +21,10 @@ from moorage.model import Model
 from moorage.model.channels import Channel, parse_channel
 from moorage.physics.point import sample_loads
 from moorage.results.rigid_channels import of_body, of_rod
-from moorage.solve.carried import water_at
+from moorage.results.rod_nodes import RodNodes, rod_nodes, watched_rods
 from moorage.solve.given_water import WaterFeed
 from moorage.solve.march import Block
+from moorage.solve.water_at import water_at
 from moorage.system.build import Built
 
 Evaluate = Callable[[Block], np.ndarray]
@@ -52,15 +53,16 @@ class Output:
 
 
 def watch_list(model: Model) -> tuple[tuple[int, int], ...]:
-    """Return the (line index, node index) pairs that the channels of a model need to have recorded."""
-    pairs = (_place(model, channel) for _, channel in _channels(model) if _is_watched(model, channel))
-    return tuple(dict.fromkeys(pairs))
+    """Return the (line index, node index) pairs to record: all nodes of rods, then those that channels need."""
+    pairs = [_place(model, channel) for _, channel in _channels(model) if _is_watched(model, channel)]
+    return tuple(dict.fromkeys((*watched_rods(model), *pairs)))
 
 
 def plan_outputs(model: Model, built: Built, water: WaterFeed | None = None) -> tuple[Output, ...]:
     """Return the channels of a checked model, each once; `water` is what gives the waves in place of the model."""
     watched = {pair: k for k, pair in enumerate(watch_list(model))}
-    return tuple(_output(name, channel, model, built, watched, water) for name, channel in _channels(model))
+    rods = rod_nodes(model, built)
+    return tuple(_output(name, channel, model, built, watched, rods, water) for name, channel in _channels(model))
 
 
 def _channels(model: Model) -> list[tuple[str, Channel]]:
@@ -91,13 +93,14 @@ def _output(
     model: Model,
     built: Built,
     watched: dict[tuple[int, int], int],
+    rods: list[RodNodes],
     water: WaterFeed | None,
 ) -> Output:
     if channel.object == "point":
         unit, words, evaluate = _of_point(channel, model, built, water)
     elif channel.object == "rod":
         k = next(k for k, rod in enumerate(model.rods) if rod.id == channel.id)
-        unit, words, evaluate = of_rod(channel, model, k, first_rod_end(model, k))
+        unit, words, evaluate = of_rod(channel, model, rods[k])
     elif channel.object == "body":
         k = next(k for k, body in enumerate(model.bodies) if body.id == channel.id)
         unit, words, evaluate = of_body(channel, model, k)
@@ -116,11 +119,6 @@ def _of_point(channel: Channel, model: Model, built: Built, water: WaterFeed | N
         return "N", words, _point_force(built, k, quantity, water)
     field, unit = _KINDS[quantity[0]]
     return unit, f"{field} of point {channel.id}", _vector(f"point_{field}", k, quantity)
-
-
-def first_rod_end(model: Model, k: int) -> int:
-    """Return the number of end A of a rod among points and ends of rods."""
-    return len(model.points) + sum(2 if rod.segments else 1 for rod in model.rods[:k])
 
 
 def _of_end(channel: Channel, model: Model) -> tuple[str, str, Evaluate]:
@@ -150,7 +148,6 @@ def _norm(vectors: np.ndarray) -> np.ndarray:
 
 def _point_force(built: Built, k: int, quantity: str, given: WaterFeed | None) -> Evaluate:
     """Return MoorDyn's net force on a point: loads of the line ends, and those on the point itself."""
-    lines, ends = np.nonzero(built.system.lines.end_point == k)
 
     def force(block: Block) -> np.ndarray:
         own = np.empty((len(block["time"]), 3))
@@ -159,7 +156,7 @@ def _point_force(built: Built, k: int, quantity: str, given: WaterFeed | None) -
         if given is not None:
             water += [given.sample(t, r[None])[0] for t, r in zip(block["time"].tolist(), place, strict=True)]
         sample_loads(built.system.points, k, water, place, velocity, Weights(0.0, 0.0, 0.0), own)
-        total = own + block["end_load"][:, lines, ends].sum(axis=1)
+        total = own + block["holder_load"][:, k]
         return _norm(total) if quantity == "TEN" else total[:, "XYZ".index(quantity[-1])]
 
     return force

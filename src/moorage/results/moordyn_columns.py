@@ -1,4 +1,4 @@
-"""What MoorDyn writes into the files of single lines and rods: a letter of LineOutputs or RodOutputs, a set of columns.
+"""What MoorDyn writes into the files of single lines: a letter of LineOutputs, a set of columns.
 
 The programs differ in letters, names, order and meaning: C's D holds the force of the water's acceleration too, and its
 c is a vector where F's is a number with a sign. Both count nodes from 0 at end A and segments from 1. t is the elastic
@@ -8,14 +8,15 @@ part of the tension. Verified by tests/unit/test_moordyn_out.py and tests/peers/
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from moorage.model import Line, Rod
-from moorage.results.channels import water_at
+from moorage.model import Line
+from moorage.solve.given_water import WaterFeed
 from moorage.solve.march import Block
 from moorage.solve.parts import part_histories
+from moorage.solve.water_at import water_along
 from moorage.system.build import Built
 
 XYZ = "xyz"
@@ -29,6 +30,7 @@ class Moment(NamedTuple):
     nodes: slice
     segments: slice
     shared: dict[str, np.ndarray]  # by name, what has been computed for all nodes of the block
+    feed: WaterFeed | None = None  # gives the waves in place of the model
 
     def at_nodes(self, name: str) -> np.ndarray:
         """Return a history of the line's nodes."""
@@ -78,9 +80,8 @@ class Moment(NamedTuple):
     def all_water(self) -> np.ndarray:
         """Return elevation, velocity and acceleration of the water at all nodes, (n, nodes, 7)."""
         if "water" not in self.shared:
-            r = self.block["node_position"]
-            times = np.repeat(self.block["node_time"], r.shape[1])
-            self.shared["water"] = water_at(self.built, times, r.reshape(-1, 3).copy()).reshape(*r.shape[:2], -1)
+            r, times = self.block["node_position"], self.block["node_time"]
+            self.shared["water"] = water_along(self.built, times, r, np.arange(r.shape[1]), self.feed)
         return self.shared["water"]
 
     def water(self) -> np.ndarray:
@@ -98,10 +99,10 @@ class Columns(NamedTuple):
     place: str
     endings: tuple[str, ...]
     unit: str
-    values: Callable[[Moment], np.ndarray]
+    values: Callable[[Any], np.ndarray]  # of a Moment, of a rod of a RodMoment
 
 
-def vector(letter: str, unit: str, values: Callable[[Moment], np.ndarray]) -> Columns:
+def vector(letter: str, unit: str, values: Callable[[Any], np.ndarray]) -> Columns:
     """Return the columns of a vector at the nodes."""
     return Columns("Node", tuple(letter + x for x in XYZ), unit, values)
 
@@ -150,7 +151,6 @@ LINE_COLUMNS: dict[str, dict[str, Columns]] = {
         "l": Columns("Seg", ("Lst",), "m", lambda m: m.spans[0][..., None]),
     },
 }
-ROD_LETTERS = {"C": "pvfWBXYAaPb", "F": "pvUBDIPbWAaXY"}  # what the programs know for rods
 
 
 def line_columns(line: Line, program: str) -> list[Columns]:
@@ -167,16 +167,9 @@ def names_of(columns: list[Columns], segments: int) -> list[tuple[str, str]]:
     return found
 
 
-def values_of(columns: list[Columns], moment: Moment) -> np.ndarray:
-    """Return the values of a line's columns, (n, columns)."""
-    n = len(moment.block["node_time"])
+def values_of(columns: list[Columns], moment: Any, n: int) -> np.ndarray:
+    """Return the values of the columns of a line or rod at n times, (n, columns)."""
     if not n:
         return np.zeros((0, 0))
     parts = [np.asarray(c.values(moment)).reshape(n, -1) for c in columns]
     return np.concatenate(parts, axis=1) if parts else np.zeros((n, 0))
-
-
-def rod_positions(rod: Rod, ends: np.ndarray) -> np.ndarray:
-    """Return the positions of a rod's nodes, (n, segments + 1, 3), from those of its ends (n, 2, 3), m."""
-    share = np.linspace(0.0, 1.0, rod.segments + 1)[:, None] if rod.segments else np.zeros((1, 1))
-    return ends[:, :1] + share * (ends[:, 1:] - ends[:, :1])

@@ -1,5 +1,7 @@
 """MoorDyn's text files (.out), written while a run goes on: the channels, and a file of each line or rod that asks.
 
+MoorDyn-C has a file of each body too.
+
 Names, order and width of columns are those of the program whose file the model is: MoorDyn-F's where its options say
 so, MoorDyn-C's for all others. A block is in the files before the next is computed.
 """
@@ -7,7 +9,6 @@ so, MoorDyn-C's for all others. A block is in the files before the next is compu
 from __future__ import annotations
 
 import re
-import warnings
 from collections.abc import Callable, Mapping, Sequence
 from datetime import datetime
 from pathlib import Path
@@ -15,20 +16,14 @@ from typing import IO, NamedTuple
 
 import numpy as np
 
-from moorage.errors import ModelWarning, Problem, ResultError
-from moorage.model import Model, Rod
+from moorage.errors import Problem, ResultError
+from moorage.model import Model
 from moorage.model.channels import parse_channel
-from moorage.results.channels import Output, first_rod_end
-from moorage.results.moordyn_columns import (
-    ROD_LETTERS,
-    Columns,
-    Moment,
-    line_columns,
-    names_of,
-    rod_positions,
-    values_of,
-    vector,
-)
+from moorage.results.channels import Output
+from moorage.results.moordyn_columns import Columns, Moment, line_columns, names_of, values_of
+from moorage.results.rod_columns import RodMoment, rod_columns
+from moorage.results.rod_nodes import RodNodes, rod_nodes
+from moorage.solve.given_water import WaterFeed
 from moorage.solve.march import Block
 from moorage.system.build import Built
 
@@ -41,6 +36,8 @@ UNITS = {  # of both programs
     "N m": ("N*m", "Nm"),
     "1": ("(frac)", "frac"),
 }
+BODY_HEAD = ["Time\t x\ty\tz\troll\tpitch\tyaw", "(s)\t (m)\t(m)\t(m)\t(deg)\t(deg)\t(deg)"]
+BODY_ROW = "%g" + "\t %g" * 6
 Values = Callable[[Block], tuple[np.ndarray, np.ndarray]]  # times (n,) and columns (n, k)
 
 
@@ -66,24 +63,20 @@ def style_of(model: Model) -> Style:
 
 
 class TextFile:
-    """A table in text that grows; each block is in the file when `append` returns."""
+    """A table in text that grows; each block is in the file when `append` returns.
 
-    def __init__(
-        self,
-        path: Path,
-        style: Style,
-        head: Sequence[str],
-        columns: Sequence[tuple[str, str]],
-        values: Values,
-        rows: int | None,
-    ):
-        self.path, self.values = path, values
-        self._format = "%10.4f" + style.value * len(columns) + "\n"
-        head = [
-            *head,
-            f"{'Time':>10}" + "".join(style.name % name for name, _ in columns),
-            f"{'(s)':>10}" + "".join(style.name % unit for _, unit in columns),
-        ]
+    Parameters
+    ----------
+    head : list of str
+        Lines before the rows.
+    row : str
+        Format of a row.
+    rows : int or None
+        Go on with a file after so many.
+    """
+
+    def __init__(self, path: Path, head: list[str], row: str, values: Values, rows: int | None):
+        self.path, self.values, self._format = path, values, row + "\n"
         try:
             self._file: IO[str] = self._resumed(rows + len(head)) if rows is not None else self._begun(head)
         except OSError as error:
@@ -132,6 +125,8 @@ class MoordynOut:
         Whether blocks have node histories; without, files of lines and rods are refused.
     rows : mapping, optional
         Go on with files after so many "time" and "node_time".
+    water : WaterFeed, optional
+        Gives the waves in place of the model.
     """
 
     def __init__(
@@ -143,19 +138,22 @@ class MoordynOut:
         nodes: bool,
         rows: Mapping[str, int] | None = None,
         version: str = "",
+        water: WaterFeed | None = None,
     ):
+        self._water = water
         self.style = style_of(model)
         date = datetime.now().strftime("%d-%b-%Y at %H:%M:%S")
         self._head = [line.format(f"Moorage {version}".strip(), date) for line in self.style.preamble]
         self.files: list[TextFile] = []
-        self._shared: dict[str, np.ndarray] = {}  # what the lines have in common, of the block being written
+        # what the lines, and the rods, have in common, of the block being written
+        self._shared: dict[str, np.ndarray] = {}
+        self._shared_rods: dict[str, np.ndarray] = {}
         channels = named_outputs(model, outputs, self.style)
         if channels:
             self._add(
                 root, self.style.suffix, [c[:2] for c in channels], main_values([c[2] for c in channels]), rows, "time"
             )
         asked = [line for line in model.lines if line_columns(line, self.style.program)]
-        asked_rods = [rod for rod in model.rods if rod_letters(rod, self.style)]
         if asked and not nodes:
             thing = asked[0]
             remedy = "keep node histories (--save all), or write - for the outputs of the lines"
@@ -165,43 +163,47 @@ class MoordynOut:
             if columns:
                 suffix, values = self.style.part.format("Line", line.id), self._line_values(built, k, columns)
                 self._add(root, suffix, units(names_of(columns, line.segments)), values, rows, "node_time")
-        for rod in asked_rods:
-            self._add_rod(root, model, rod, rows)
+        for nodes_of_rod in rod_nodes(model, built):
+            rod = model.rods[nodes_of_rod.place]
+            columns = rod_columns(rod, self.style.program)
+            if columns:
+                suffix, values = self.style.part.format("Rod", rod.id), self._rod_values(built, nodes_of_rod, columns)
+                self._add(root, suffix, units(names_of(columns, rod.segments)), values, rows, "time")
+        if self.style.program == "C":
+            for k, body in enumerate(model.bodies):
+                path = root.with_name(root.name + self.style.part.format("Body", body.id))
+                count = None if rows is None else rows["time"]
+                self.files.append(TextFile(path, BODY_HEAD, BODY_ROW, body_values(k), count))
 
     def _line_values(self, built: Built, k: int, columns: list[Columns]) -> Values:
         """Return how the columns of the k-th line follow from a block."""
         nodes, segments = (slice(*ptr[k : k + 2]) for ptr in (built.names.node_ptr, built.names.segment_ptr))
-        return lambda block: (
-            block["node_time"],
-            values_of(columns, Moment(built, block, nodes, segments, self._shared)),
-        )
+
+        def values(block: Block) -> tuple[np.ndarray, np.ndarray]:
+            moment = Moment(built, block, nodes, segments, self._shared, self._water)
+            return block["node_time"], values_of(columns, moment, len(block["node_time"]))
+
+        return values
+
+    def _rod_values(self, built: Built, nodes: RodNodes, columns: list[Columns]) -> Values:
+        """Return how the columns of a rod follow from a block."""
+
+        def values(block: Block) -> tuple[np.ndarray, np.ndarray]:
+            moment = RodMoment(built, block, nodes, self._shared_rods, self._water)
+            return block["time"], values_of(columns, moment, len(block["time"]))
+
+        return values
 
     def _add(self, root: Path, suffix: str, columns, values: Values, rows: Mapping[str, int] | None, time: str) -> None:
         path = root.with_name(root.name + suffix)
-        count = None if rows is None else rows[time]
-        self.files.append(
-            TextFile(path, self.style, self._head if suffix == self.style.suffix else (), columns, values, count)
-        )
-
-    def _add_rod(self, root: Path, model: Model, rod: Rod, rows: Mapping[str, int] | None) -> None:
-        """Add the file of a rod: its positions; its other columns come with the engine's rods."""
-        left = [letter for letter in rod_letters(rod, self.style) if letter != "p"]
-        if left:
-            message = f"rod {rod.id}: outputs {', '.join(left)} are not written yet, only p"
-            warnings.warn(f"{rod.source}: {message}" if rod.source else message, ModelWarning, stacklevel=4)
-        first = first_rod_end(model, model.rods.index(rod))
-        last = first + 1 if rod.segments else first
-
-        def values(block: Block):
-            r = rod_positions(rod, block["holder_position"][:, [first, last]])
-            return block["time"], r.reshape(len(r), -1)
-
-        columns = units(names_of([vector("p", "m", lambda m: m.at_nodes("node_position"))], rod.segments))
-        self._add(root, self.style.part.format("Rod", rod.id), columns, values, rows, "time")
+        count, preamble = None if rows is None else rows[time], self._head if suffix == self.style.suffix else []
+        row = "%10.4f" + self.style.value * len(columns)
+        self.files.append(TextFile(path, preamble + table_head(self.style, columns), row, values, count))
 
     def append(self, block: Block) -> None:
         """Write one block into all files."""
         self._shared.clear()
+        self._shared_rods.clear()
         for file in self.files:
             file.append(block)
 
@@ -209,6 +211,20 @@ class MoordynOut:
         """Close all files."""
         for file in self.files:
             file.close()
+
+
+def table_head(style: Style, columns: Sequence[tuple[str, str]]) -> list[str]:
+    """Return the line of names and that of units."""
+    first, second = ("".join(style.name % pair[k] for pair in columns) for k in (0, 1))
+    return [f"{'Time':>10}{first}", f"{'(s)':>10}{second}"]
+
+
+def body_values(k: int) -> Values:
+    """Return how the file of body k follows from a block: position, m, and angles, degrees."""
+    return lambda block: (
+        block["time"],
+        np.concatenate([block["body_position"][:, k], np.degrees(block["body_rotation"][:, k])], axis=1),
+    )
 
 
 def named_outputs(model: Model, outputs: tuple[Output, ...], style: Style) -> list[tuple[str, str, Output]]:
@@ -245,8 +261,3 @@ def main_values(outputs: list[Output]) -> Values:
 def units(columns: list[tuple[str, str]]) -> list[tuple[str, str]]:
     """Return the columns of a part with their units in brackets."""
     return [(name, f"({unit})") for name, unit in columns]
-
-
-def rod_letters(rod: Rod, style: Style) -> list[str]:
-    """Return the letters of a rod's outputs that a program knows."""
-    return [letter for letter in rod.outputs if letter in ROD_LETTERS[style.program]]

@@ -2,7 +2,8 @@
 
 A rod's roll and pitch are -phi sin b and phi cos b, with phi its angle from the vertical and b its heading; a body's
 angles are intrinsic XYZ Euler angles. Both are in degrees, as are their rates. TENA and TENB of a rod are the norms of
-the forces of all lines on that end, without inertia; TEN is one of both by the node.
+the forces of all lines on that end, without inertia; TEN is one of both by the node. Forces on nodes of rods are
+those of `moorage.results.rod_nodes`.
 
 All is taken from arrays of the block (`solve.carried`):
 
@@ -20,8 +21,9 @@ from collections.abc import Callable
 
 import numpy as np
 
-from moorage.model import Attachment, Model, Rod
+from moorage.model import Model, Rod
 from moorage.model.channels import Channel
+from moorage.results.rod_nodes import RodNodes
 from moorage.solve.march import Block
 
 Described = tuple[str, str, Callable[[Block], np.ndarray]]  # unit, words, evaluation
@@ -36,39 +38,36 @@ FIELDS = {  # letters of a quantity: end of the block's array, first of its colu
 }
 
 
-def of_rod(channel: Channel, model: Model, k: int, first: int) -> Described:
-    """Return a channel of the k-th rod; first: the number of its end A among points and ends of rods."""
-    rod, quantity = model.rods[k], channel.quantity
-    last = first + 1 if rod.segments else first
-    node = rod.segments if channel.node == -1 else channel.node or 0
-    share = node / rod.segments if rod.segments else 0.0
-    if quantity in ("PX", "PY", "PZ"):
-        axis = "XYZ".index(quantity[1])
-
-        def place(block: Block) -> np.ndarray:
-            r = block["holder_position"][:, :, axis]
-            return (1.0 - share) * r[:, first] + share * r[:, last]
-
-        return "m", f"position of node {node} of rod {rod.id}", place
+def of_rod(channel: Channel, model: Model, nodes: RodNodes) -> Described:
+    """Return a channel of a rod, or of a node of it."""
+    rod, quantity, k = model.rods[nodes.place], channel.quantity, nodes.place
+    node = (channel.node or 0) % nodes.number
+    where = f"node {node} of rod {rod.id}"
     if quantity in ("RX", "RY"):
         words = f"{'roll' if quantity == 'RX' else 'pitch'} of rod {rod.id}"
-        return "degree", words, rod_angle(quantity, rod, first, last)
+        return "degree", words, rod_angle(quantity, rod, nodes)
     if quantity.startswith("TEN"):
         end = "B" if quantity == "TENB" or (quantity == "TEN" and node > 0) else "A"
-        return "N", f"force of the lines on end {end} of rod {rod.id}", line_loads(model, rod, end)
+        return "N", f"force of the lines on end {end} of rod {rod.id}", line_loads(nodes.ends[end == "B"])
     if quantity == "SUB":
         return "1", f"share of rod {rod.id} under water", lambda block: block["rod_submergence"][:, k]
-    if quantity[0] == "V" and channel.node is not None:
-        return "m s-1", f"velocity of node {node} of rod {rod.id}", node_velocity(quantity, k, share, first, last)
-    return of_array("rod", channel, k)
+    axis = "XYZ".index(quantity[-1])
+    if quantity[0] == "P":
+        return "m", f"position of {where}", lambda block: nodes.place_of(block, node)[:, axis]
+    if channel.node is None or quantity[:-1] in ("RV", "RA"):
+        return of_array("rod", channel, k)
+    if quantity[0] == "V":
+        return "m s-1", f"velocity of {where}", lambda block: nodes.velocity_of(block, node)[:, axis]
+    if quantity[0] == "A":
+        return "m s-2", f"acceleration of {where}", lambda block: nodes.acceleration_of(block, node)[:, axis]
+    return "N", f"force without inertia on {where}", lambda block: nodes.force(block)[:, node, axis]
 
 
-def rod_angle(quantity: str, rod: Rod, first: int, last: int) -> Callable[[Block], np.ndarray]:
+def rod_angle(quantity: str, rod: Rod, nodes: RodNodes) -> Callable[[Block], np.ndarray]:
     """Return the evaluation of roll (RX) or pitch (RY) of a rod, degrees; as described where it has no length."""
 
     def angle(block: Block) -> np.ndarray:
-        r = block["holder_position"]
-        u = r[:, last] - r[:, first] if last > first else np.tile(rod.direction, (len(r), 1))
+        u = nodes.axis(block) if rod.segments else np.tile(rod.direction, (len(block["time"]), 1))
         across = np.hypot(u[:, 0], u[:, 1])
         phi, size = np.arctan2(across, u[:, 2]), np.where(across > 0.0, across, 1.0)
         return np.degrees(-phi * u[:, 1] / size if quantity == "RX" else phi * u[:, 0] / size)
@@ -76,29 +75,9 @@ def rod_angle(quantity: str, rod: Rod, first: int, last: int) -> Callable[[Block
     return angle
 
 
-def line_loads(model: Model, rod: Rod, end: str) -> Callable[[Block], np.ndarray]:
+def line_loads(holder: int) -> Callable[[Block], np.ndarray]:
     """Return the evaluation of the size of the force of all lines on an end of a rod, N."""
-    ends = ("A", "B") if rod.segments == 0 else (end,)  # both ends of a rod without length are one
-    holds = [Attachment("rod", rod.id, e) for e in ends]  # type: ignore[arg-type]
-    pairs = [(k, e) for k, line in enumerate(model.lines) for e, a in enumerate((line.end_a, line.end_b)) if a in holds]
-
-    def size(block: Block) -> np.ndarray:
-        load = block["end_load"]
-        total = sum((load[:, k, e] for k, e in pairs), np.zeros((len(load), 3)))
-        return np.sqrt((total**2).sum(axis=1))
-
-    return size
-
-
-def node_velocity(quantity: str, k: int, share: float, first: int, last: int) -> Callable[[Block], np.ndarray]:
-    """Return the evaluation of the velocity of a node of a rod, m/s: that of end A, and the turn of the axis."""
-
-    def velocity(block: Block) -> np.ndarray:
-        r, v = block["holder_position"], block["rod_velocity"][:, k]
-        arm = share * (r[:, last] - r[:, first])
-        return (v[:, :3] + np.cross(v[:, 3:], arm))[:, "XYZ".index(quantity[-1])]
-
-    return velocity
+    return lambda block: np.sqrt((block["holder_load"][:, holder] ** 2).sum(axis=1))
 
 
 def of_body(channel: Channel, model: Model, k: int) -> Described:

@@ -4,15 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from moorage._jit import kernel
-from moorage._vec3 import get, mat_get, mat_t_times, mat_times
 from moorage.layout import Weights
 from moorage.physics.motion import Tracks, sample_track
-from moorage.physics.rigid import body_load
-from moorage.physics.sea import RECORD, scratch_for
-from moorage.physics.sea_table import FIELDS
+from moorage.physics.rigid import sample_rigid
+from moorage.solve.water_at import row_of_body, row_of_holder, water_at
 from moorage.system.build import Built
-from moorage.system.water import sample_water
 
 Block = dict[str, np.ndarray]
 
@@ -59,7 +55,7 @@ def _rods(built: Built, ends: np.ndarray, time: np.ndarray) -> Block:
     along = b[..., :3] - a[..., :3]
     square = np.maximum((along**2).sum(axis=-1), 1e-300)[..., None]
     spin, twist = (np.cross(along, b[..., k : k + 3] - a[..., k : k + 3]) / square for k in (3, 6))
-    level = np.stack([_elevation(built, ends[:, k].reshape(-1, 9), time) for k in range(ends.shape[1])], axis=1)
+    level = np.stack([_elevation(built, k, ends[:, k], time) for k in range(ends.shape[1])], axis=1)
     below = level - ends[..., 2]  # (n, rods, 2) depths of the ends
     low, high = below.max(axis=-1), below.min(axis=-1)
     wet = np.clip(low / np.maximum(low - high, 1e-12), 0.0, 1.0)
@@ -71,16 +67,10 @@ def _rods(built: Built, ends: np.ndarray, time: np.ndarray) -> Block:
     }
 
 
-def _elevation(built: Built, ends: np.ndarray, time: np.ndarray) -> np.ndarray:
-    """Return the elevation of the surface over the two ends of a rod, (n, 2), m; ends (2 n, 9)."""
-    return water_at(built, np.repeat(time, 2), ends[:, :3])[:, 0].reshape(-1, 2)
-
-
-def water_at(built: Built, time: np.ndarray, position: np.ndarray) -> np.ndarray:
-    """Return elevation, velocity and acceleration of the water (n, 7) at times (n,) and places (n, 3)."""
-    out, place = np.empty((len(time), FIELDS)), np.ascontiguousarray(position)
-    sample_water(built.system, np.ascontiguousarray(time), place, scratch_for(built.system.sea), np.zeros(RECORD), out)
-    return out
+def _elevation(built: Built, k: int, ends: np.ndarray, time: np.ndarray) -> np.ndarray:
+    """Return the elevation of the surface over the two ends of rod k, (n, 2), m; ends (n, 2, 9)."""
+    rows = np.tile([row_of_holder(built, holder) for holder in built.rods.ends[k]], len(time))
+    return water_at(built, np.repeat(time, 2), ends.reshape(-1, 9)[:, :3], rows)[:, 0].reshape(-1, 2)
 
 
 def _bodies(built: Built, points: np.ndarray, objects: Block, time: np.ndarray) -> Block:
@@ -168,25 +158,10 @@ def _body_force(built: Built, block: Block, points, force, moment, loads: Block,
 def own_load(built: Built, block: Block, k: int, acceleration: np.ndarray, time: np.ndarray) -> np.ndarray:
     """Return force and moment (n, 6) on body k by itself: weight, water, given loads, inertia."""
     place, n = np.ascontiguousarray(block["body_position"][:, k]), len(time)
-    water, out = water_at(built, time, place), np.empty((n, 6))
+    water, out = water_at(built, time, place, np.full(n, row_of_body(built, k))), np.empty((n, 6))
     sample_rigid(
         built.body_loads, k, water, place, np.ascontiguousarray(block["body_axes"][:, k].reshape(n, 9)),
         np.ascontiguousarray(block["body_velocity"][:, k]), np.ascontiguousarray(acceleration),
         Weights(0.0, 0.0, 0.0), out,
     )  # fmt: skip
     return out
-
-
-@kernel
-def sample_rigid(p, o, water, position, axes, velocity, acceleration, c, out):
-    """Fill (n, 6) with force and moment on a body by itself, in global axes, from its motion."""
-    for row in range(len(out)):
-        R, V, A = mat_get(axes, row), get(velocity, row), get(acceleration, row)
-        omega = mat_t_times(R, (velocity[row, 3], velocity[row, 4], velocity[row, 5]))
-        alpha = mat_t_times(R, (acceleration[row, 3], acceleration[row, 4], acceleration[row, 5]))
-        w = water[row]
-        around = w[0], (w[1], w[2], w[3]), (w[4], w[5], w[6])
-        force, moment = body_load(p, o, position[row, 2], R, V, A, omega, alpha, around, c)
-        turn = mat_times(R, moment)
-        for x in range(3):
-            out[row, x], out[row, 3 + x] = force[x], turn[x]

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from moorage.errors import SimulationError
-from moorage.layout import State
+from moorage.physics.motion import sample_track
 from moorage.physics.sea import WATER, given_at, no_sea
 from moorage.system.build import Built
 
@@ -60,6 +60,23 @@ def as_water(time: float, count: int, elevation, velocity, acceleration) -> np.n
     return water
 
 
+def places_ahead(built: Built, time: float, ahead: float) -> np.ndarray:
+    """Return where all rows of the state, which is that of a time (s), will be a while later, (rows, 3), m.
+
+    Held points, bodies and ends of rods are where their motion takes them; rows of rotation stand with their object.
+    """
+    system, state = built.system, built.state
+    places, tracks = state.position + ahead * state.velocity, system.tracks
+    places[system.riders.row + 1] = places[system.riders.row]
+    held = np.setdiff1d(np.arange(len(system.points.mass)), system.islands.points)
+    now = np.zeros((3, len(held), 1, 3))  # position, velocity, acceleration
+    now[0, :, 0] = tracks.rest[held]
+    for k in np.flatnonzero(tracks.track[held] >= 0):
+        sample_track(tracks, held[k], np.array([time + ahead]), *now[:, k])
+    places[int(system.lines.node_ptr[-1]) + held] = now[0, :, 0]
+    return places
+
+
 class WaterFeed:
     """A function that gives the water, sampled where the nodes will be at the end of each interval.
 
@@ -83,16 +100,15 @@ class WaterFeed:
         """Time at which the present interval ends, s."""
         return float(times_of(self.given)[1])
 
-    def start(self, state: State, time: float) -> None:
+    def start(self, built: Built, time: float) -> None:
         """Fill the interval that begins at a time, s."""
-        set_given(self.given, time, self.sample(time, state.position), time)
-        self.go_on(state)
+        set_given(self.given, time, self.sample(time, places_ahead(built, time, 0.0)), time)
+        self.go_on(built)
 
-    def go_on(self, state: State) -> None:
+    def go_on(self, built: Built) -> None:
         """Fill the next interval."""
         time = self.end + self.interval
-        there = state.position + self.interval * state.velocity
-        set_given(self.given, self.end, self.sample(time, there), time)
+        set_given(self.given, self.end, self.sample(time, places_ahead(built, self.end, self.interval)), time)
 
     def elevation(self, times: np.ndarray) -> np.ndarray:
         """Return the elevation at the origin (n,), m, at times (n,) s."""

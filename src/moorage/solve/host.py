@@ -11,6 +11,7 @@ import numpy as np
 from moorage.errors import SimulationError
 from moorage.layout import State
 from moorage.physics.motion import Tracks, sample_track
+from moorage.physics.sea import given_at
 from moorage.solve.given_water import as_water, set_given, takes_water
 from moorage.solve.march import Block, March, Settings
 from moorage.solve.march_kernel import start_islands
@@ -120,6 +121,13 @@ class HostMarch:
             raise
         self.time, self.position, self.velocity = float(time), position, velocity
         return forces
+
+    def take_water(self, given: np.ndarray | None = None) -> None:
+        """Let the host give the water from now on, still until it does; given: (2, rows + 1, 7) of another system."""
+        given = given_at(len(self.built.state.position)) if given is None else given
+        self.built = takes_water(self.built, given)
+        if self._march is not None:
+            self._march.built = takes_water(self._march.built, given)
 
     def water_nodes(self) -> np.ndarray:
         """Return where the host has to say what the water does, (rows, 3), m: every row of the state."""

@@ -84,7 +84,7 @@ class March:
         )
         self.old = new_state(len(self.built.state.position), len(self.built.state.attitude))
         if self._water is not None:
-            self._water.start(self.built.state, time)
+            self._water.start(self.built, time)
         start_islands(self.built.system, self.built.state, self.built.work, time)
         for target, source in zip(self.old, self.built.state, strict=True):
             target[...] = source
@@ -151,7 +151,7 @@ class March:
                 self._release({event.failure})
                 continue
             if self._water is not None and self._fed < time:
-                self._water.go_on(self.built.state)
+                self._water.go_on(self.built)
             elif failures:
                 self._release(failures)
             else:
@@ -254,12 +254,14 @@ class March:
         force = at_ends(c.FORCE_A, 3)
         points = record.points[:rows].copy()
         self._fill_prescribed(record.time[:rows], points)
-        holder_force, named = self._holder_force(force), len(self.built.names.points)
+        load = at_ends(c.LOAD_A, 3)
+        holder_force, holder_load = self._on_holders(force, load)
+        named = len(self.built.names.points)
         w = record.watch[:rows]
         block = {
             "time": record.time[:rows],
             "end_force": force,
-            "end_load": at_ends(c.LOAD_A, 3),
+            "end_load": load,
             "end_tension": at_ends(c.TENSION_A, 1)[..., 0],
             "end_moment": at_ends(c.MOMENT_A, 3),
             "lowest_tension": lines[:, :, c.LOWEST],
@@ -269,12 +271,15 @@ class March:
             "point_acceleration": points[:, :named, 6:9],
             "point_force": holder_force[:, :named],
             "holder_force": holder_force,
+            "holder_load": holder_load,
             "holder_position": points[:, :, 0:3],
             **self._carried(points, record, rows),
             "watch_position": w[:, :, c.POSITION : c.POSITION + 3],
             "watch_velocity": w[:, :, c.VELOCITY : c.VELOCITY + 3],
             "watch_force": w[:, :, c.FORCE : c.FORCE + 3],
             "watch_tension": w[:, :, c.TENSION],
+            "watch_lift": w[:, :, c.LIFT],
+            "watch_bed": w[:, :, c.BED : c.BED + 3],
         }
         if self.settings.dt_nodes:
             n, segments = int(self.built.names.node_ptr[-1]), int(self.built.names.segment_ptr[-1])
@@ -329,13 +334,14 @@ class March:
         for k in held[tracks.track[held] >= 0]:
             sample_track(tracks, k, times, points[:, k, 0:3], points[:, k, 3:6], points[:, k, 6:9])
 
-    def _holder_force(self, force) -> np.ndarray:
-        """Sum of the forces of all lines on each point and rod end."""
+    def _on_holders(self, *forces: np.ndarray) -> tuple[np.ndarray, ...]:
+        """Sums (n, points, 3) of forces (n, lines, 2, 3) of all lines on each point and rod end."""
         ends = self.built.system.lines.end_point[: len(self.built.names.lines)].ravel()
-        n, points = len(force), len(self.built.system.points.mass)
+        n, points = len(forces[0]), len(self.built.system.points.mass)
         holds = csr_array((np.ones(len(ends)), (ends, np.arange(len(ends)))), shape=(points, len(ends)))
-        by_end = force.reshape(n, len(ends), 3).swapaxes(0, 1).reshape(len(ends), 3 * n)
-        return (holds @ by_end).reshape(points, n, 3).swapaxes(0, 1)
+        by_end = np.concatenate([f.reshape(n, len(ends), 3).swapaxes(0, 1) for f in forces], axis=1)
+        sums = (holds @ by_end.reshape(len(ends), 3 * n * len(forces))).reshape(points, len(forces), n, 3)
+        return tuple(sums[:, k].swapaxes(0, 1) for k in range(len(forces)))
 
     def _failure(self, island: int, record: Record) -> SimulationError:
         time = float(self.clocks.time[island])
@@ -371,7 +377,7 @@ class March:
 
 def _must_have_nodes(built: Built, watch: tuple[tuple[int, int], ...]) -> None:
     """Refuse to watch nodes that are not there: kernels do not look whether they are."""
-    nodes = np.diff(built.names.node_ptr)
+    nodes = np.diff(built.system.lines.node_ptr)
     for line, node in watch:
         if not 0 <= line < len(nodes) or not 0 <= node < nodes[line]:
             raise ValueError(f"there is no node {node} of the line at place {line} to watch")

@@ -41,14 +41,14 @@ class Pencil(NamedTuple):
     basis: csr_array | None = None  # (3 n, m), none: m = 3 n
     lines: csc_array | None = None  # (3 n, 3 n) mass of the rows by themselves, with a basis
     own: csc_array | None = None  # (m, m) mass of objects beside it
-    own_row: np.ndarray | None = None  # (m,) state rows that those belong to
+    unknown: np.ndarray | None = None  # (m, 2) state row and axis of each unknown, with a basis
 
 
 class Modes(NamedTuple):
     """Modes in the order of their frequencies."""
 
     squares: np.ndarray  # (k,) w^2, rad2/s2; negative: the state is not stable
-    shapes: np.ndarray  # (k, rows, 3) of all state rows, largest displacement 1
+    shapes: np.ndarray  # (k, rows, 3) of all state rows in global axes, largest displacement 1 (rotation, if none)
     energy: np.ndarray  # (k, rows) share of the kinetic energy; of ends of lines it is at what they hold on to
 
 
@@ -80,10 +80,13 @@ def modes_at_rest(built: Built, number: int, pencils: Sequence[Pencil] | None = 
         lines = part.mass if part.basis is None else part.lines
         if lines is not None:
             energy[out, part.rows] = (full * (lines @ full)).reshape(-1, 3).sum(axis=1)
-        if part.own is not None and part.own_row is not None:
-            np.add.at(energy[out], part.own_row, vector * (part.own @ vector))
+        if part.own is not None and part.unknown is not None:
+            rows, axes = part.unknown.T
+            np.add.at(energy[out], rows, vector * (part.own @ vector))
+            shapes[out, rows, axes] = vector
+    _turn_objects(built, shapes)
     _follow_holders(built, shapes)
-    largest = np.linalg.norm(shapes, axis=2).max(axis=1, initial=0.0)
+    largest = _largest(built, shapes)
     total = energy.sum(axis=1)
     return Modes(
         squares[order],
@@ -105,7 +108,7 @@ def island_pencil(built: Built, island: int) -> Pencil:
         parts.append((assembled(built, island, unknowns, c), own_blocks(built, island, own, c)))
     (K, k), (M, m) = parts
     basis = basis_of(built, island, unknowns.rows, own)
-    return with_basis(Pencil(K, M, unknowns.rows), basis, k, m)._replace(lines=M, own=m, own_row=own[:, 0])
+    return with_basis(Pencil(K, M, unknowns.rows), basis, k, m)._replace(lines=M, own=m, unknown=own)
 
 
 def _has_lines(built: Built, island: int) -> bool:
@@ -149,6 +152,24 @@ def lowest(pencil: Pencil, number: int) -> tuple[np.ndarray, np.ndarray]:
     squares, vectors = eigsh(K, number, M, sigma=shift, which="LM", v0=start)
     order = np.argsort(squares)
     return squares[order], vectors[:, order]
+
+
+def _turn_objects(built: Built, shapes: np.ndarray) -> None:
+    """Take the rotations of objects to global axes, and let what is pinned move with its pin."""
+    riders, first = built.system.riders, built.system.lines.node_ptr[-1]
+    for o, row in enumerate(riders.row):
+        shapes[:, row + 1] = shapes[:, row + 1] @ built.state.attitude[o].reshape(3, 3).T
+        if riders.pin[o] >= 0:
+            shapes[:, row] = shapes[:, first + riders.pin[o]]
+
+
+def _largest(built: Built, shapes: np.ndarray) -> np.ndarray:
+    """Return the largest displacement of each mode (k,); where nothing is displaced, the largest rotation."""
+    sizes = np.linalg.norm(shapes, axis=2)
+    turns = np.zeros(shapes.shape[1], dtype=bool)
+    turns[built.system.riders.row + 1] = True
+    moved, turned = (sizes[:, rows].max(axis=1, initial=0.0) for rows in (~turns, turns))
+    return np.where(moved > 1e-9 * turned, moved, turned)
 
 
 def _follow_holders(built: Built, shapes: np.ndarray) -> None:

@@ -30,6 +30,16 @@ def swell(system: System) -> System:
     return morison_only(system, [0, 1, 4])
 
 
+def swell_added(system: System) -> System:
+    """Leave what of that is by added mass."""
+    return morison_only(system, [0, 1])
+
+
+def swell_pressure(system: System) -> System:
+    """Leave what of that is by the pressure in the undisturbed water, Froude and Krylov's force."""
+    return morison_only(system, [4])
+
+
 def contact(system: System) -> System:
     """Leave the normal force of the seabed."""
     return seabed(system)._replace(friction=system.friction._replace(law=NONE))
@@ -40,7 +50,15 @@ def seabed(system: System) -> System:
     return silenced(system)._replace(contact=system.contact, friction=system.friction)
 
 
-PARTS = {"weight": weight, "drag": drag, "swell": swell, "contact": contact, "seabed": seabed}
+PARTS = {
+    "weight": weight,
+    "drag": drag,
+    "swell": swell,
+    "swell_added": swell_added,
+    "swell_pressure": swell_pressure,
+    "contact": contact,
+    "seabed": seabed,
+}
 
 
 def node_force_part(built: Built, name: str) -> np.ndarray:
@@ -52,17 +70,22 @@ def node_force_part(built: Built, name: str) -> np.ndarray:
     return assembled(PARTS[name](built.system), state, FORCE)[0]
 
 
-def part_histories(built: Built, name: str, position, velocity, water) -> np.ndarray:
-    """Return a part of the forces on all nodes, (n, nodes, 3), N, for histories (n, nodes, 3), m and m/s.
+def part_histories(built: Built, name: str, position, velocity, water, line: int = 0) -> np.ndarray:
+    """Return a part of the forces on the nodes of some lines, (n, nodes, 3), N, for histories (n, nodes, 3), m and m/s.
 
-    water: (n, nodes, 7) elevation, velocity and acceleration of the water. `name` is one of `PARTS`.
+    water: (n, nodes, 7) elevation, velocity and acceleration of the water. `name` is one of `PARTS`. `line` is the
+    first of the lines, whose nodes follow each other; rods stand behind the lines.
     """
-    system, state, count = PARTS[name](built.system), copy_of(built.state), position.shape[1]
+    system, state, ptr = PARTS[name](built.system), copy_of(built.state), built.system.lines.node_ptr
+    rows = slice(ptr[line], ptr[line] + position.shape[1])
+    lines = range(line, int(np.searchsorted(ptr, rows.stop)))
     state.acceleration[...] = 0.0
-    out = np.empty(position.shape)
+    out, work = np.empty(position.shape), new_work(system)
     for row in range(len(out)):
-        state.position[:count], state.velocity[:count], state.water[:count] = position[row], velocity[row], water[row]
-        out[row] = assembled(system, state, FORCE)[0]
+        state.position[rows], state.velocity[rows], state.water[rows] = position[row], velocity[row], water[row]
+        for k in lines:
+            assemble_line(system, state, state, work, k, FORCE)
+        out[row] = work.force[rows]
     return out
 
 

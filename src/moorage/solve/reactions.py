@@ -10,7 +10,9 @@ import numpy as np
 
 from moorage.layout import Weights
 from moorage.physics.point import sample_loads, wet_fraction
-from moorage.solve.carried import Block, own_load, sample_rigid, water_at
+from moorage.physics.rigid import sample_rigid
+from moorage.solve.carried import Block, own_load
+from moorage.solve.water_at import row_of_holder, water_at
 from moorage.system.build import Built
 from moorage.system.objects import frame_along
 
@@ -61,7 +63,8 @@ def rod_load(built: Built, block: Block, k: int, time: np.ndarray) -> np.ndarray
     axes = np.array([frame_along(e / np.linalg.norm(e)).ravel() for e in along])
     place = np.ascontiguousarray(ends[:, 0])
     motion = (np.ascontiguousarray(block[f"rod_{name}"][:, k]) for name in ("velocity", "acceleration"))
-    sample_rigid(built.rod_loads, number, water_at(built, time, place), place, axes, *motion, FORCE, out)
+    water = water_at(built, time, place, np.full(len(time), row_of_holder(built, built.rods.ends[k, 0])))
+    sample_rigid(built.rod_loads, number, water, place, axes, *motion, FORCE, out)
     return out
 
 
@@ -69,7 +72,7 @@ def point_load(built: Built, holder: int, motion: np.ndarray, time: np.ndarray) 
     """Return weight, buoyancy, drag, given loads and inertia (n, 3) of a point by itself, N; motion (n, 9)."""
     p, out = built.system.points, np.zeros((len(time), 3))
     place, velocity = (np.ascontiguousarray(part) for part in (motion[:, :3], motion[:, 3:6]))
-    water = water_at(built, time, place)
+    water = water_at(built, time, place, np.full(len(time), row_of_holder(built, holder)))
     sample_loads(p, holder, water, place, velocity, FORCE, out)
     wet = np.array([wet_fraction(p.radius[holder], height)[0] for height in place[:, 2] - water[:, 0]])
     return out - (p.mass[holder] + wet * p.added_mass[holder])[:, None] * motion[:, 6:]

@@ -35,8 +35,8 @@ MOMENT_A, MOMENT_B, COLUMNS = 16, 19, 22
 PLACE, SPEED, RISE, TURN, SPIN, TWIST, OBJECT_COLUMNS = 0, 3, 6, 9, 18, 21, 24
 # columns of Record.contact: gap to the bed, m; normal force, N; friction, N (3)
 GAP, NORMAL, RUB, CONTACT_COLUMNS = 0, 1, 2, 5
-# columns of Record.watch
-POSITION, VELOCITY, FORCE, TENSION, WATCH_COLUMNS = 0, 3, 6, 9, 10
+# columns of Record.watch; LIFT: buoyancy, N, upwards; BED: contact and friction, N (3)
+POSITION, VELOCITY, FORCE, TENSION, LIFT, BED, WATCH_COLUMNS = 0, 3, 6, 9, 10, 11, 14
 
 
 class Record(NamedTuple):
@@ -46,7 +46,7 @@ class Record(NamedTuple):
     lines: np.ndarray  # (n, lines, COLUMNS)
     points: np.ndarray  # (n, points, 9) position, velocity, acceleration of free points, and riders on objects
     objects: np.ndarray  # (n, objects, OBJECT_COLUMNS)
-    watched: np.ndarray  # (watched, 2) line, node
+    watched: np.ndarray  # (watched, 2) line, node; rods are counted behind the lines
     watch: np.ndarray  # (n, watched, WATCH_COLUMNS)
     node_time: np.ndarray  # (m,) s
     node_position: np.ndarray  # (m, nodes, 3)
@@ -89,7 +89,7 @@ def spans(state, i):
 
 @inlined
 def node_force(system, state, line, i):
-    """Force of all terms but inertia and bending on node i of a line, and its inertia force -M a, N."""
+    """Force of all terms but inertia and bending on node i of a line, its inertia force -M a, and its buoyancy, N."""
     first, last = line_nodes(system.lines, line)
     r, v = get(state.position, i), get(state.velocity, i)
     c = Weights(0.0, 0.0, 0.0)
@@ -120,7 +120,7 @@ def node_force(system, state, line, i):
     force = add(pull, node_terms(system, n, hydro, q, water_of(state, i), r, v, rest, state, c)[0])
     mass = system.morison.mass[n]
     inertia = inertia_terms(mass + hydro[0], mass + hydro[1], q, get(state.acceleration, i), c)[0]
-    return (force[0], force[1], force[2] + lift), inertia
+    return (force[0], force[1], force[2] + lift), inertia, lift
 
 
 @inlined
@@ -134,7 +134,7 @@ def sample_island(system, state, t, island, sample):
             sample_rod(system, state, line, sample)
             continue
         for end in range(2):
-            load, inertia = node_force(system, state, line, first if end == 0 else last)
+            load, inertia, _ = node_force(system, state, line, first if end == 0 else last)
             put_row(sample, line, LOAD_A + 3 * end, load)
             put_row(sample, line, FORCE_A + 3 * end, add(load, inertia))
         if system.lines.bends[line]:
@@ -166,7 +166,7 @@ def sample_rod(system, state, line, sample):
     total, rest, turn, turn_rest = (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0, 0.0)
     start = get(state.position, first)
     for i in range(first, last + 1):
-        load, inertia = node_force(system, state, line, i)
+        load, inertia, _ = node_force(system, state, line, i)
         arm = sub(get(state.position, i), start)
         rest, turn_rest = add(rest, load), add(turn_rest, cross(arm, load))
         whole = add(load, inertia)
@@ -272,36 +272,48 @@ def record_watched(system, old, now, island_of_line, island, h, s, record, row):
         line = record.watched[w, 0]
         if island_of_line[line] != island:
             continue
-        i = system.lines.node_ptr[line] + record.watched[w, 1]
+        first, last = line_nodes(system.lines, line)
+        i, out = first + record.watched[w, 1], record.watch[row]
         v0, v1 = get(old.velocity, i), get(now.velocity, i)
-        r = hermite(get(old.position, i), v0, get(now.position, i), v1, h, s)
-        v = mix(s, v0, v1)
-        f = mix(s, node_force(system, old, line, i)[0], node_force(system, now, line, i)[0])
-        t = (1.0 - s) * node_tension(system, old, line, i) + s * node_tension(system, now, line, i)
-        for x in range(3):
-            record.watch[row, w, POSITION + x] = r[x]
-            record.watch[row, w, VELOCITY + x] = v[x]
-            record.watch[row, w, FORCE + x] = f[x]
-        record.watch[row, w, TENSION] = t
+        put_row(out, w, POSITION, hermite(get(old.position, i), v0, get(now.position, i), v1, h, s))
+        put_row(out, w, VELOCITY, mix(s, v0, v1))
+        for x in range(FORCE, WATCH_COLUMNS):
+            out[w, x] = 0.0
+        for side in range(2):  # one call in a loop, because it is inlined and long
+            state, share = old if side == 0 else now, 1.0 - s if side == 0 else s
+            force, _, lift = node_force(system, state, line, i)
+            N, n, rub = bed_force(system, state, first, last, i)
+            out[w, TENSION] += share * node_tension(system, state, line, i)
+            out[w, LIFT] += share * lift
+            for x in range(3):
+                out[w, FORCE + x] += share * force[x]
+                out[w, BED + x] += share * (N * n[x] + rub[x])
+
+
+@inlined
+def bed_force(system, state, first, last, i):
+    """Normal force of the seabed on a node, N, its direction, and friction, N."""
+    r, v = get(state.position, i), get(state.velocity, i)
+    c = Weights(0.0, 0.0, 0.0)
+    soil, N, n, rub = system.contact.soil, 0.0, UP, (0.0, 0.0, 0.0)
+    if near_bed(system.contact, r, r):
+        N, n, _ = contact_terms(system.contact, np.uintp(i), r, r, v, memory_of(soil, state, i), c)
+        load = rubbing_load(soil, N)
+        if system.friction.law != NONE and load > 0.0:
+            q = unit_or_zero(sub(get(state.position, min(i + 1, last)), get(state.position, max(i - 1, first))))
+            rub = friction_terms(system.friction, np.uintp(i), load, n, q, r, v, get(state.stuck, i), c)[0]
+    return N, n, rub
 
 
 @inlined
 def record_contact(system, state, first, last, i, share, out):
     """Add a share of the gap to the bed, the normal force and the friction of a node at one end of a step."""
-    r, v = get(state.position, i), get(state.velocity, i)
+    N, _, rub = bed_force(system, state, first, last, i)
+    r = get(state.position, i)
     out[GAP] += share * (r[2] - bed_at(system.contact.bed, r[0], r[1])[0])
-    if not near_bed(system.contact, r, r):
-        return
-    c = Weights(0.0, 0.0, 0.0)
-    soil = system.contact.soil
-    N, n, _ = contact_terms(system.contact, np.uintp(i), r, r, v, memory_of(soil, state, i), c)
     out[NORMAL] += share * N
-    load = rubbing_load(soil, N)
-    if system.friction.law != NONE and load > 0.0:
-        q = unit_or_zero(sub(get(state.position, min(i + 1, last)), get(state.position, max(i - 1, first))))
-        f = friction_terms(system.friction, np.uintp(i), load, n, q, r, v, get(state.stuck, i), c)[0]
-        for x in range(3):
-            out[RUB + x] += share * f[x]
+    for x in range(3):
+        out[RUB + x] += share * rub[x]
 
 
 @inlined
@@ -336,6 +348,8 @@ def record_nodes(system, old, now, island, h, s, record, row):
                 e, de = spans(now, i)
                 record.segment_tension[row, i - line] = (1.0 - s) * t0 + s * segment_tension(system.tension, j, e, de)
         for i in range(first, last + 1):
+            for x in range(CONTACT_COLUMNS):
+                record.contact[row, i, x] = 0.0
             for side in range(2):
                 share = 1.0 - s if side == 0 else s
                 record_contact(system, old if side == 0 else now, first, last, i, share, record.contact[row, i])

@@ -5,7 +5,7 @@ from __future__ import annotations
 from moorage.io.moordyn.sections import Table
 from moorage.io.text import Findings
 from moorage.model import OutputChannel
-from moorage.model.channels import QUANTITIES, parse_channel
+from moorage.model.channels import QUANTITIES, parse_channel, why_not
 
 
 def read_outputs(table: Table, found: Findings) -> tuple[OutputChannel, ...]:
@@ -17,7 +17,7 @@ def read_outputs(table: Table, found: Findings) -> tuple[OutputChannel, ...]:
                 return tuple(channels)
             channels.append(OutputChannel(name=word.upper(), source=row.source))
             if parse_channel(word) is None:
-                found.add("output channel is not known", _remedy(word), row.source, word)
+                found.add(why_not(word), _remedy(word), row.source, word)
     return tuple(channels)
 
 
