@@ -72,7 +72,7 @@ def solve_statics(model: Model) -> xr.Dataset:
     ConvergenceError
         No equilibrium was found.
     """
-    accept(model)
+    model = accept(model)
     built = build(model)
     equilibrium = solve(built)
     warn_of_clamps(built)
@@ -185,7 +185,7 @@ def simulate(
     if water is not None:
         chosen |= {"water": getattr(water, "__qualname__", type(water).__qualname__), "water_interval": water_interval}
     check_settings(chosen, resume, output)
-    accept(model)
+    model = accept(model)
     check_water(model, water, water_interval)
     warn_of_repetition(model.environment.waves, duration)
     warn_of_short_current(model.environment.current, duration)

@@ -92,6 +92,7 @@ def _motion_hash(motion: Motion | None) -> str:
         digest.update(motion.time.tobytes())
         for table in (motion.platform, motion.coupled):
             digest.update(b"-" if table is None else table.tobytes())
-        for id, table in sorted(motion.points.items()):
-            digest.update(f"{id}".encode() + table.tobytes())
+        for tables in (motion.turbines, motion.points):
+            for id, table in sorted(tables.items()):
+                digest.update(f"{id}".encode() + table.tobytes())
     return digest.hexdigest()

@@ -14,10 +14,15 @@ from moorage.io.moordyn.options import Value, flavour, read_options, unused
 from moorage.io.moordyn.sections import Table, split_sections, unknown_sections
 from moorage.io.moordyn.v1 import is_v1
 from moorage.io.text import Findings, Row, read_text, rows
-from moorage.model import Environment, Line, Model
+from moorage.model import Environment, Line, Model, Turbine
 
 
-def read_moordyn(path: str | Path, defaults: Environment | None = None, raise_to_seabed: bool = False) -> Model:
+def read_moordyn(
+    path: str | Path,
+    defaults: Environment | None = None,
+    raise_to_seabed: bool = False,
+    turbines: tuple[Turbine, ...] = (),
+) -> Model:
     """Read and check a MoorDyn model file; all that is wrong with it comes as one `ModelError`.
 
     Parameters
@@ -27,11 +32,13 @@ def read_moordyn(path: str | Path, defaults: Environment | None = None, raise_to
     raise_to_seabed : bool
         Put fixed points that stand below the seabed on it, instead of refusing them, and those that stand less than a
         tenth of the depth over a depth grid.
+    turbines : tuple of Turbine
+        Where the turbines of a farm are, which another file says.
     """
     path = Path(path)
     text = read_text(path, "model file")
     found = Findings()
-    model = parse_moordyn(text, path, found, defaults)
+    model = dataclasses.replace(parse_moordyn(text, path, found, defaults), turbines=turbines)
     return checked(model, found, raise_to_seabed)
 
 
