@@ -41,6 +41,7 @@ from moorage.results import (
     watch_list,
 )
 from moorage.results.carried import carried_of
+from moorage.results.turbines import turbines_of
 from moorage.simulation import Simulation
 from moorage.solve.clamps import warn_of_clamps
 from moorage.solve.control import Settings, default_tolerance
@@ -324,4 +325,5 @@ def _layout(
     bending = bending_of(model, built, index.allowed_bend_radius)
     outputs = plan_outputs(model, built, water)
     seabed, sea = seabed_of(model, built), water or model.environment.waves
-    return Layout(index, outputs, node_time, bending, seabed, sea, carried_of(model), static or {})
+    carried, turbines = carried_of(model), turbines_of(model, motion)
+    return Layout(index, outputs, node_time, bending, seabed, sea, carried, turbines, static or {})

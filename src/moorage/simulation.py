@@ -21,9 +21,9 @@ class Simulation:
     Where only points are coupled, positions, velocities and forces are arrays (m, 3). Turbines, coupled bodies and rods
     make them vectors: all turbines, then bodies, rods and points, in the order of the file, with the numbers that
     `degrees_of_freedom` says: six for a turbine, body or rod (position, and intrinsic XYZ Euler angles in rad, and the
-    rates of both), three for a point and for what is pinned (coupled-pinned). What is on a turbine goes with it. Forces come back in the same order, moments about the origin of each
-    object in global axes, N and N m. Weight, buoyancy, drag and inertia of the objects are in them, and of all that
-    they carry.
+    rates of both), three for a point and for what is pinned (coupled-pinned). What is on a turbine goes with it. Forces
+    come back in the same order, moments about the origin of each object in global axes, N and N m. Weight, buoyancy,
+    drag and inertia of the objects are in them, and of all that they carry.
 
     Parameters
     ----------

@@ -2,8 +2,8 @@
 
 A host gives position and Euler angles (intrinsic XYZ) of turbines, coupled bodies and rods, and positions of coupled
 points: all turbines first, then bodies, rods, points, in the order of the file, six numbers each and three for points
-and pinned ones. What is on a turbine goes with it and has no numbers of its own. Each row that the host drives (a point, an end of a rod, a pin, the direction of a clamp, an axis of a body) sits in the
-axes of one of them.
+and pinned ones. What is on a turbine goes with it and has no numbers of its own. Each row that the host drives (a
+point, an end of a rod, a pin, the direction of a clamp, an axis of a body) sits in the axes of one of them.
 """
 
 from __future__ import annotations
