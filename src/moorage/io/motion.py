@@ -8,6 +8,7 @@ about its reference position, or `point4.x[m], point4.y[m], point4.z[m]` for the
 
 from __future__ import annotations
 
+import dataclasses
 import difflib
 import re
 from dataclasses import dataclass
@@ -134,7 +135,7 @@ def motion_of_turbines(model: Model) -> Motion | None:
             message = f"motion of turbine {turbine.id} has no columns of a platform"
             found.add(message, f"give time[s], {', '.join(PLATFORM)}", turbine.source, turbine.motion)
     found.raise_any(MotionError)
-    return Motion.from_turbines(motions)
+    return dataclasses.replace(Motion.from_turbines(motions), source=Source(model.file))
 
 
 def _heading(name: str, found: Findings, source: Source) -> _Heading | None:

@@ -9,7 +9,7 @@ from datetime import UTC, datetime
 
 from moorage.model import Model, Motion, OutputChannel
 from moorage.results.sea import sea_attributes
-from moorage.words import current_words
+from moorage.words import current_words, turbine_words
 
 
 def run_attributes(
@@ -32,6 +32,7 @@ def run_attributes(
         "water_depth": float(model.environment.water_depth),
         "gravity": float(model.environment.gravity),
         "water_density": float(model.environment.water_density),
+        **({"turbines": turbine_words(model.turbines)} if model.turbines else {}),
         **_seabed(model),
         **sea_attributes(model.environment.waves),
         **_current(model),
