@@ -22,8 +22,9 @@ from moorage.model import (
 )
 
 SPAN = 800.0  # m from turbine 1 to turbine 2
-CHAIN = LineType(name="chain", diameter=0.1, mass_per_length=150.0, axial_stiffness=7e8, transverse_drag=1.2, transverse_added_mass=1.0)  # fmt: skip
-ROPE = LineType(name="rope", diameter=0.2, mass_per_length=60.0, axial_stiffness=1e8, transverse_drag=1.2, transverse_added_mass=1.0)  # fmt: skip
+WET = {"transverse_drag": 1.2, "transverse_added_mass": 1.0, "axial_damping_ratio": 0.5}  # undamped ropes ring for long
+CHAIN = LineType(name="chain", diameter=0.1, mass_per_length=150.0, axial_stiffness=7e8, **WET)
+ROPE = LineType(name="rope", diameter=0.2, mass_per_length=60.0, axial_stiffness=1e8, **WET)
 CABLE = dataclasses.replace(ROPE, name="cable", bending_stiffness=1e5)
 
 

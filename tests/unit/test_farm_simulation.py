@@ -32,9 +32,9 @@ def test_degrees_of_freedom_are_those_of_turbines():
 
 
 def test_stepping_is_a_run_with_the_same_motion():
-    """Coupling steps of 0.05 s on cubics; the run has a knot each 0.1 s: forces within 1e-3 of their size."""
+    """Steps of 0.05 s; with errors of 0.1 mm a step both are within 1e-3 of the largest force (8e-3 with 2.6 mm)."""
     motions = {1: swaying(), 2: swaying(mirrored=True)}
-    sim = moorage.Simulation(shared())
+    sim = moorage.Simulation(shared(), tolerance=1e-4)
     sim.initialize()
     home, times, loads = sim.position, 0.05 * np.arange(1, 101), []
     for time in times:
@@ -43,7 +43,7 @@ def test_stepping_is_a_run_with_the_same_motion():
             sim.step(time, home + np.concatenate([x for x, _ in parts]), np.concatenate([v for _, v in parts]))
         )
     loads = np.array(loads).reshape(len(times), 2, 6)
-    ds = moorage.simulate(shared(), motion=Motion.from_turbines(motions), duration=5.0, dt_out=0.05)
+    ds = moorage.simulate(shared(), motion=Motion.from_turbines(motions), duration=5.0, dt_out=0.05, tolerance=1e-4)
     for name, part in (("turbine_force", loads[..., :3]), ("turbine_moment", loads[..., 3:])):
         expected = ds[name].values[1:]
         assert np.abs(part - expected).max() < 1e-3 * np.abs(expected).max()
