@@ -10,7 +10,6 @@ from moorage.model import (
     Attachment,
     Control,
     OutputChannel,
-    Point,
     Rod,
     UnreadWater,
 )  # fmt: skip
@@ -46,9 +45,6 @@ CASES = {
         lines=tuple(
             dataclasses.replace(m.lines[0], id=k, end_b=Attachment("rod", 1, "A" if k == 1 else "B")) for k in (1, 2, 3)
         ),
-    ),
-    "attachments to turbines are": lambda m: dataclasses.replace(
-        m, points=(*m.points, Point(id=3, kind="coupled", position=PLACE[0], turbine=1, source=AT))
     ),
     "viscoelastic lines are": _with_type(viscoelastic=(1e8,)),
     "damping in bending is": _with_type(bending_stiffness=1e4, bending_damping=1e2),
