@@ -1,6 +1,6 @@
 """Two turbines with anchor lines of their own and a rope between them, each with a motion of its own.
 
-Verifies: turbines, platforms
+Verifies: motion, tension, weight
 
 * Mirror: the farm is its own image in the plane between the turbines. Turbines that move as images of each other pull with
   images of each other's forces, to 1e-6: the equations are the same but for rounding.
