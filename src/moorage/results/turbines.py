@@ -118,7 +118,10 @@ def turbines_of(model: Model, motion: Motion | None) -> Turbines | None:
 
 
 def _tracks(model: Model, motion: Motion | None) -> Tracks:
-    """Return the tracks of reference points and of two axes; at rest where a turbine has no motion of its own."""
+    """Return the tracks of reference points and of two axes.
+
+    At rest where a turbine has no motion of its own: MoorDyn's columns move what is on it one by one.
+    """
     rest = np.concatenate([[turbine.position, (1.0, 0.0, 0.0), (0.0, 1.0, 0.0)] for turbine in model.turbines])
     poses = motion.poses(model) if motion else {}
     moved: dict[int, np.ndarray] = {}
