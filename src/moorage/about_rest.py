@@ -38,6 +38,7 @@ def natural_modes(model: Model, number: int = 10) -> xr.Dataset:
     """
     if not (isinstance(number, int) and number > 0):
         raise InputError(Problem("the number of modes must be positive", "give 1 or more", value=number))
+    model = accept(model)
     built, attrs = _at_rest(model)
     ds = modes_dataset(model, make_index(model, built.names), built, modes_at_rest(built, number), attrs)
     unstable = int(ds["frequency"].isnull().sum())
@@ -47,7 +48,7 @@ def natural_modes(model: Model, number: int = 10) -> xr.Dataset:
 
 
 def stiffness(model: Model) -> xr.Dataset:
-    """Return the stiffness of a mooring to its platforms: each coupled body, and the coupled points as one.
+    """Return the stiffness of a mooring to its platforms: turbines, coupled bodies, and the coupled points as one.
 
     Returns
     -------
@@ -55,6 +56,7 @@ def stiffness(model: Model) -> xr.Dataset:
         `platform_stiffness` of the dimensions `(platform, dof, platform_, dof_)`, N/m, N/rad, N m/rad: minus the load
         on a platform by the motion of one, about `platform_origin`.
     """
+    model = accept(model)
     _refuse_pinned(model)
     platforms = platforms_of(model)
     if not platforms:
@@ -84,7 +86,6 @@ def _refuse_pinned(model: Model) -> None:
 
 def _at_rest(model: Model) -> tuple[Built, dict]:
     """Return the solved system and what a result says of where it comes from."""
-    accept(model)
     built = build(model)
     equilibrium = solve(built)
     attrs = run_attributes(model, None, {"start": "static"}, version("moorage"))

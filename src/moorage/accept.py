@@ -10,20 +10,28 @@ from moorage.errors import InputError, ModelError, ModelWarning, Problem
 from moorage.model import Model
 from moorage.model.checks import check, suspicious
 from moorage.model.inertia import objects_have_inertia
+from moorage.model.turbines import placed, turbines_have_places
 from moorage.model.unbuilt import refuse_unbuilt
 
 
-def accept(model: Model) -> None:
-    """Refuse a model that is wrong or asks for what is not built, and warn of what looks like a mistake."""
+def accept(model: Model) -> Model:
+    """Refuse a model that is wrong or asks for what is not built, and warn of what looks like a mistake.
+
+    Returns
+    -------
+    Model
+        The same, with what is on turbines in global coordinates.
+    """
     check(model)
     refuse_unbuilt(model)
-    if lacking := list(objects_have_inertia(model)):
+    if lacking := [*turbines_have_places(model), *objects_have_inertia(model)]:
         raise ModelError(lacking)
     if model.unused_options:
         names = ", ".join(option.name for option in model.unused_options)
         warnings.warn(f"{model.file}: options that are not used here: {names}", ModelWarning, stacklevel=3)
     for problem in suspicious(model):
         warnings.warn(str(problem), ModelWarning, stacklevel=3)
+    return placed(model)
 
 
 def check_water(model: Model, water: object, interval: float) -> None:

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 from moorage.errors import InputError, Problem
-from moorage.io import is_driver, read, read_driver, read_motion
+from moorage.io import is_driver, is_farm, motion_of_turbines, read, read_driver, read_farm, read_motion
 
 if TYPE_CHECKING:
     from moorage.model import Model, Motion
@@ -22,18 +22,24 @@ class Case(NamedTuple):
 
 
 def read_case(file: Path, motion: Path | None, duration: float | None, raise_to_seabed: bool) -> Case:
-    """Read a model or a driver file; what the command line says comes first.
+    """Read a model, a driver file or FAST.Farm's; what the command line says comes first.
 
     Raises
     ------
     InputError
         The files are wrong, or nothing says how long the run is.
     """
-    if file.is_file() and is_driver(file.read_text(errors="replace")):
+    text = file.read_text(errors="replace") if file.is_file() else ""
+    if is_driver(text):
         driver = read_driver(file, raise_to_seabed)
         case = Case(driver.model, driver.motion, driver.duration, driver.interval)
+    elif is_farm(text):
+        farm = read_farm(file, raise_to_seabed)
+        case = Case(farm.model, None, farm.duration, None)
     else:
         case = Case(read(file, raise_to_seabed), None, 0.0, None)
+        if motion is None and (moved := motion_of_turbines(case.model)):
+            case = case._replace(motion=moved, duration=moved.duration)
     if motion is not None:
         moved = read_motion(motion, case.model)
         case = case._replace(motion=moved, duration=moved.duration)

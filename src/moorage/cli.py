@@ -18,6 +18,7 @@ from typer.core import TyperGroup
 import moorage  # its names are imported when they are used: --help must not wait for numba, xarray and matplotlib
 from moorage import console
 from moorage.case import read_case
+from moorage.model.turbines import turbines_have_places
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -97,7 +98,7 @@ app = typer.Typer(
 )
 
 ModelFile = Annotated[
-    Path, typer.Argument(metavar="FILE", help="Model: MoorDyn v2 or v1, MoorDyn-F driver, or native YAML.")
+    Path, typer.Argument(metavar="FILE", help="Model: MoorDyn v2 or v1, MoorDyn-F driver, FAST.Farm, or native YAML.")
 ]
 ResultFile = Annotated[Path, typer.Argument(metavar="RESULT.nc", help="What a run wrote.")]
 Raise = Annotated[
@@ -128,7 +129,9 @@ def common(
 @app.command()
 def run(
     file: ModelFile,
-    motion: Annotated[Path | None, typer.Option(help="Motion of the coupled points (CSV or MoorDyn-F).")] = None,
+    motion: Annotated[
+        Path | None, typer.Option(help="Motion of platforms or coupled points (CSV or MoorDyn-F).")
+    ] = None,
     duration: Annotated[float | None, typer.Option(help="Time to simulate, s (default: that of the motion).")] = None,
     dt_out: Annotated[float | None, typer.Option(help="Interval of results, s (default: the file's, or 0.1).")] = None,
     tolerance: Annotated[float | None, typer.Option(help="Error of a step in position, m (default: ~0.002).")] = None,
@@ -223,7 +226,7 @@ def stiffness(
     output: Annotated[Path | None, typer.Option("-o", metavar="OUT.nc", help="Keep the matrix.")] = None,
     raise_to_seabed: Raise = False,
 ) -> None:
-    """Find the 6x6 stiffness that each coupled body and the coupled points feel, and what couples them."""
+    """Find the 6x6 stiffness that each turbine, coupled body and the coupled points feel, and what couples them."""
     model = moorage.read(file, raise_to_seabed)
     announce_compiling()
     ds = moorage.stiffness(model)
@@ -243,16 +246,18 @@ def check(file: ModelFile, raise_to_seabed: Raise = False) -> None:
     if model.unused_options:
         console.out.print("\noptions that are not used here", style="bold")
         console.fact_table({f"{o.name} {o.value}": o.reason for o in model.unused_options})
-    missing = moorage.unbuilt(model)
-    doubts = [*moorage.suspicious(model), *([] if missing else moorage.backward_clamps(model))]
+    missing, lost = moorage.unbuilt(model), list(turbines_have_places(model))
+    doubts = [*moorage.suspicious(model), *([] if missing or lost else moorage.backward_clamps(model))]
     if doubts:
         console.out.print("\nhardly meant", style="bold yellow")
         for problem in doubts:
             console.out.print(str(problem), markup=False, soft_wrap=True)
-    if missing:
-        console.out.print("\nnot simulated yet", style="bold")
-        for problem in missing:
+    for title, problems in (("turbines without a place", lost), ("not simulated yet", missing)):
+        if problems:
+            console.out.print(f"\n{title}", style="bold")
+        for problem in problems:
             console.out.print(str(problem), markup=False, soft_wrap=True)
+    if missing or lost:
         raise typer.Exit(2)
     console.out.print("\nthis can be run" if doubts else "\nno problems: this can be run", style="green")
 

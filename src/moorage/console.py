@@ -17,7 +17,7 @@ from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
 from rich.table import Table
 
 from moorage.errors import ModelWarning
-from moorage.words import current_words, sea_words, seabed_words
+from moorage.words import current_words, sea_words, seabed_words, turbine_words
 
 if TYPE_CHECKING:  # xarray is heavy, and --help must be light
     import xarray as xr
@@ -194,9 +194,13 @@ def static_tables(
         force = [f"{v / scale:.2f}" for v in ds["point_force"].values[k]]
         table.add_row(str(id), str(ds["point_kind"].values[k]), *position, *force)
     _print(table)
+    if "turbine_force" in ds:
+        turbine_table(ds)
     if objects:
         object_table(objects, run=False)
-    if ds["stiffness"].values.any():
+    if "turbine_force" in ds:
+        out.print("\nthe stiffness that each turbine feels is printed by the command stiffness")
+    elif ds["stiffness"].values.any():
         table = _table(
             "\nStiffness of the coupled points as one platform (N, m, rad)", ["", *map(str, ds["dof"].values)]
         )
@@ -206,10 +210,23 @@ def static_tables(
     out.print(f"\nlargest out-of-balance force {float(ds['residual']):.2e} N after {int(ds['iterations'])} iterations")
 
 
+def turbine_table(ds: xr.Dataset) -> None:
+    """Print what a mooring does to each turbine, at rest."""
+    unit, scale = tension_unit(float(abs(ds["turbine_force"]).max()))
+    axes = ["Fx", "Fy", "Fz", "Mx", "My", "Mz"]
+    table = _table(f"\nLoad of the mooring on each turbine ({unit}, {unit} m)", ["turbine", *axes])
+    for k, id in enumerate(ds["turbine"].values):
+        load = [*ds["turbine_force"].values[k], *ds["turbine_moment"].values[k]]
+        table.add_row(str(id), *(_number(float(v) / scale, 2) for v in load))
+    _print(table)
+
+
 def object_table(rows: Sequence[ObjectSummary], run: bool) -> None:
-    """Print where bodies and ends of rods are: at rest, or in a run."""
+    """Print where turbines, bodies and ends of rods are: at rest, or in a run."""
     columns = ["start", "end", "lowest", "highest"] if run else ["at rest"]
-    table = _table("\nBodies, rods (m, deg)", ["", "", *columns])
+    kinds = {row.name.split()[0] for row in rows}
+    title = "Turbines, bodies, rods" if "turbine" in kinds else "Bodies, rods"
+    table = _table(f"\n{title} (m, deg)", ["", "", *columns])
     before = ""
     for row in rows:
         values = (row.start, row.end, row.lowest, row.highest) if run else (row.start,)
@@ -259,6 +276,7 @@ def model_summary(model: Model, sea: Mapping[str, Any]) -> None:
         "points": f"{len(model.points)} ({counts})",
         "rods": str(len(model.rods) or ""),
         "bodies": str(len(model.bodies) or ""),
+        "turbines": turbine_words(model.turbines),
         "start": model.start,
         "channels": ", ".join(output.name for output in model.outputs),
     }

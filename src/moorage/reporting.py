@@ -90,6 +90,7 @@ def report_page(ds: xr.Dataset) -> str:
         _section("Environment", _facts(_environment(ds.attrs))),
         _section("Model", _facts(_model(ds)) + _lines(ds)),
         _section("Tensions", _tensions(ds)),
+        _section("Turbines", _turbines(ds)),
         _section("Seabed", _seabed(ds)),
         _section("Cables", _cables(ds)),
         _section("Figures", "".join(_figures(ds))),
@@ -154,6 +155,7 @@ def _model(ds: xr.Dataset) -> dict[str, str]:
         "points": f"{len(kinds)} ({counts})",
         "rods": str(ds.sizes.get("rod", "") or ""),
         "bodies": str(ds.sizes.get("body", "") or ""),
+        "turbines": str(ds.sizes.get("turbine", "") or ""),
     }
 
 
@@ -183,6 +185,22 @@ def _tensions(ds: xr.Dataset) -> str:
     names = ("line", "end", first, "min", "mean", "max", "std")
     rest = ("line", "lowest tension (kN)", "largest uplift at end A (deg)", "shortest grounded length (m)")
     return _table("Tension at the ends (kN)", names, of_ends) + _table("In the lines", rest, of_lines)
+
+
+def _turbines(ds: xr.Dataset) -> str:
+    """Return how far each turbine went, and the largest load of the mooring on it."""
+    if "turbine_force" not in ds:
+        return ""
+    rows = []
+    for k, id in enumerate(ds["turbine"].values):
+        places, turns, force = (ds[f"turbine_{name}"].values[:, k] for name in ("position", "rotation", "force"))
+        away = np.linalg.norm(places[:, :2] - places[0, :2], axis=1).max()
+        level, down = np.linalg.norm(force[:, :2], axis=1).max() / 1e3, -force[:, 2].min() / 1e3
+        start = ", ".join(f"{x:g}" for x in places[0])
+        numbers = (f"{away:.2f}", f"{np.degrees(abs(turns)).max():.2f}", f"{level:.1f}", f"{down:.1f}")
+        rows.append((f"{id} {ds['turbine_name'].values[k]}".rstrip(), start, *numbers))
+    names = ("turbine", "x, y, z at 0 s (m)", "offset (m)", "angle (deg)", "horizontal (kN)", "downward (kN)")
+    return _table("Largest offset and angle, and largest force of the mooring", names, rows)
 
 
 def _seabed(ds: xr.Dataset) -> str:

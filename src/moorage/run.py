@@ -41,6 +41,7 @@ from moorage.results import (
     watch_list,
 )
 from moorage.results.carried import carried_of
+from moorage.results.turbines import turbines_of
 from moorage.simulation import Simulation
 from moorage.solve.clamps import warn_of_clamps
 from moorage.solve.control import Settings, default_tolerance
@@ -72,7 +73,7 @@ def solve_statics(model: Model) -> xr.Dataset:
     ConvergenceError
         No equilibrium was found.
     """
-    accept(model)
+    model = accept(model)
     built = build(model)
     equilibrium = solve(built)
     warn_of_clamps(built)
@@ -185,7 +186,7 @@ def simulate(
     if water is not None:
         chosen |= {"water": getattr(water, "__qualname__", type(water).__qualname__), "water_interval": water_interval}
     check_settings(chosen, resume, output)
-    accept(model)
+    model = accept(model)
     check_water(model, water, water_interval)
     warn_of_repetition(model.environment.waves, duration)
     warn_of_short_current(model.environment.current, duration)
@@ -324,6 +325,5 @@ def _layout(
     bending = bending_of(model, built, index.allowed_bend_radius)
     outputs = plan_outputs(model, built, water)
     seabed, sea = seabed_of(model, built), water or model.environment.waves
-    return Layout(
-        index, outputs, node_time, bending, seabed, sea, carried_of(model, built, bool(node_time)), static or {}
-    )
+    carried, turbines = carried_of(model, built, bool(node_time)), turbines_of(model, motion)
+    return Layout(index, outputs, node_time, bending, seabed, sea, carried, turbines, static or {})

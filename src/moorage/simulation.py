@@ -18,12 +18,12 @@ from moorage.system.build import build
 class Simulation:
     """A mooring inside another program, which moves the coupled objects and receives the forces on them.
 
-    Where only points are coupled, positions, velocities and forces are arrays (m, 3). Coupled bodies and rods make them
-    vectors: all bodies, then rods, then points, in the order of the file, with the numbers that `degrees_of_freedom`
-    says: six for a body or rod (position, and intrinsic XYZ Euler angles in rad, and the rates of both), three for a
-    point and for what is pinned (coupled-pinned). Forces come back in the same order, moments about the origin of each
-    object in global axes, N and N m. Weight, buoyancy, drag and inertia of the objects are in them, and of all that
-    they carry.
+    Where only points are coupled, positions, velocities and forces are arrays (m, 3). Turbines, coupled bodies and rods
+    make them vectors: all turbines, then bodies, rods and points, in the order of the file, with the numbers that
+    `degrees_of_freedom` says: six for a turbine, body or rod (position, and intrinsic XYZ Euler angles in rad, and the
+    rates of both), three for a point and for what is pinned (coupled-pinned). What is on a turbine goes with it. Forces
+    come back in the same order, moments about the origin of each object in global axes, N and N m. Weight, buoyancy,
+    drag and inertia of the objects are in them, and of all that they carry.
 
     Parameters
     ----------
@@ -38,7 +38,7 @@ class Simulation:
     points : (m,) int
         Ids of the coupled points, in the order of all arrays here.
     degrees_of_freedom : tuple of (kind, id, width)
-        All coupled objects, in the order of the vectors: "body", "rod" or "point", id, how many numbers it takes.
+        All coupled objects, in the order of the vectors: "turbine", "body", "rod" or "point", id, how many numbers.
 
     Examples
     --------
@@ -60,7 +60,7 @@ class Simulation:
     ):
         chosen = {"tolerance": tolerance, "time_step": time_step}
         check_settings({**chosen, "method": method}, False, None)
-        accept(model)
+        inside = accept(model)
         self._hosts_water = model.environment.host_waves or host_waves
         if self._hosts_water and model.environment.waves is not None:
             remedy = "remove them from the model, or leave host_waves out"
@@ -68,13 +68,13 @@ class Simulation:
         if model.failures:
             raise UnsupportedError(Problem("failures come in simulate() only", "remove them", model.failures[0].source))
         self.model = model
-        built = build(model)
+        built = build(inside)
         self._host = HostMarch(built, Settings(method=method, **chosen), self._hosts_water)  # type: ignore[arg-type]
-        self._coupling = Coupling(model, built, self._host.driven)
+        self._coupling = Coupling(inside, built, self._host.driven)
         self.degrees_of_freedom = self._coupling.owners
         self.points = np.array([id for kind, id, _ in self.degrees_of_freedom if kind == "point"], dtype=np.int64)
         self._flat = len(self.points) < len(self.degrees_of_freedom)
-        self._pose = described(model)
+        self._pose = self._described = described(inside)
 
     @property
     def time(self) -> float:
@@ -97,11 +97,11 @@ class Simulation:
         static = self.model.start == "static"
         if not self._flat:
             return self._host.initialize(position, velocity, static)
-        pose = described(self.model) if position is None else self._vector("position", position)
+        pose = self._described if position is None else self._vector("position", position)
         rate = np.zeros_like(pose) if velocity is None else self._vector("velocity", velocity)
         pulls = self._host.initialize(*self._coupling.at(pose, rate), static)
         self._pose = pose
-        return self._coupling.forces(self._host, pulls)
+        return self._coupling.forces(self._host, pulls, pose)
 
     def step(self, time: float, position, velocity) -> np.ndarray:
         """Advance to `time` (s), where the coupled points are at `position` with `velocity`; return the forces.
@@ -117,7 +117,7 @@ class Simulation:
         pose, rate = self._vector("position", position), self._vector("velocity", velocity)
         pulls = self._host.step(time, *self._coupling.at(pose, rate))
         self._pose = pose
-        return self._coupling.forces(self._host, pulls)
+        return self._coupling.forces(self._host, pulls, pose)
 
     def _vector(self, name: str, values) -> np.ndarray:
         vector = np.array(values, dtype=float)

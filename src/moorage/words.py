@@ -1,13 +1,13 @@
-"""What surrounds a mooring, in words for people."""
+"""What surrounds a mooring, and where its turbines are, in words for people."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from math import hypot
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from moorage.model import Current, CurrentGrid, Environment
+    from moorage.model import Current, CurrentGrid, Environment, Turbine
 
 
 def sea_words(attrs: Mapping[str, Any]) -> str:
@@ -51,3 +51,11 @@ def seabed_words(environment: Environment) -> str:
         size = "by two curves" if friction.model == "soil-curves" else size
         parts.append(f"friction {friction.model}, {size}")
     return "; ".join(parts)
+
+
+def turbine_words(turbines: Iterable[Turbine]) -> str:
+    """Return where the turbines of a farm are, in words."""
+    return "; ".join(
+        f"{turbine.id} {turbine.name}".rstrip() + f" at ({', '.join(f'{x:g}' for x in turbine.position)})"
+        for turbine in turbines
+    )

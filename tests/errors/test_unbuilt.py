@@ -9,7 +9,6 @@ from moorage.io import read
 from moorage.model import (
     Attachment,
     Control,
-    Point,
     Rod,
     UnreadWater,
 )  # fmt: skip
@@ -45,9 +44,6 @@ CASES = {
         lines=tuple(
             dataclasses.replace(m.lines[0], id=k, end_b=Attachment("rod", 1, "A" if k == 1 else "B")) for k in (1, 2, 3)
         ),
-    ),
-    "attachments to turbines are": lambda m: dataclasses.replace(
-        m, points=(*m.points, Point(id=3, kind="coupled", position=PLACE[0], turbine=1, source=AT))
     ),
     "viscoelastic lines are": _with_type(viscoelastic=(1e8,)),
     "damping in bending is": _with_type(bending_stiffness=1e4, bending_damping=1e2),

@@ -23,6 +23,7 @@ from moorage.model import (
     OutputChannel,
     Point,
     Section,
+    Turbine,
 )
 
 QUICK = settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.too_slow])
@@ -120,8 +121,22 @@ def models(draw, most_sections):
     )
 
 
+@st.composite
+def farms(draw):
+    """Models with some of their coupled points on turbines."""
+    model = draw(models(most_sections=3))
+    places = draw(st.lists(st.tuples(COORDINATES, COORDINATES, COORDINATES), max_size=3))
+    turbines = tuple(Turbine(id=k + 1, position=place, name=draw(WORDS)) for k, place in enumerate(places))
+    choices = st.sampled_from([None, *(turbine.id for turbine in turbines)])
+    points = tuple(
+        dataclasses.replace(point, turbine=draw(choices)) if point.kind == "coupled" else point
+        for point in model.points
+    )
+    return dataclasses.replace(model, points=points, turbines=turbines)
+
+
 @QUICK
-@given(models(most_sections=3))
+@given(farms())
 def test_native_round_trip(model):
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "model.yaml"

@@ -117,7 +117,7 @@ CLASSES = {
     "friction map": m.FrictionMap, "stiffness map": m.StiffnessMap, "current": m.Current, "waves": m.Waves,
     "unread water": m.UnreadWater, "line type": m.LineType, "point": m.Point, "line": m.Line,
     "section": m.Section, "buoyancy modules": m.BuoyancyModules, "bend stiffener": m.BendStiffener, "rod type": m.RodType, "rod": m.Rod, "body": m.Body, "failure": m.Failure,
-    "control": m.Control, "external load": m.ExternalLoad,
+    "control": m.Control, "external load": m.ExternalLoad, "turbine": m.Turbine,
 }  # fmt: skip
 ELSEWHERE = {
     "sources",
@@ -132,6 +132,7 @@ ELSEWHERE = {
     "unused_options",
     "flavour",
     "on_seabed",
+    "in_place",
     "moorage",
 }
 

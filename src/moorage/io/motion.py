@@ -2,12 +2,13 @@
 
 MoorDyn-F's file has no header: time (s), then the coordinates of every coupled body, rod and point in the order of the
 model file (m and rad), with `#` comments. A CSV file names its columns: `time[s]`, then `surge[m], sway[m], heave[m],
-roll[deg], pitch[deg], yaw[deg]` of one rigid platform about the origin, or `point4.x[m], point4.y[m], point4.z[m]` for
-the absolute position of one coupled point.
+roll[deg], pitch[deg], yaw[deg]` of one rigid platform about the origin, `turbine2.surge[m]` and so on of a turbine
+about its reference position, or `point4.x[m], point4.y[m], point4.z[m]` for the absolute position of one coupled point.
 """
 
 from __future__ import annotations
 
+import dataclasses
 import difflib
 import re
 from dataclasses import dataclass
@@ -79,7 +80,7 @@ def _table(lines: list[Row], width: int, found: Findings) -> np.ndarray:
 
 @dataclass(frozen=True)
 class _Heading:
-    """What a column holds: an owner ("time", "platform" or "point 4"), a component of it, and a factor to SI."""
+    """What a column holds: an owner ("time", "platform", "turbine 2", "point 4"), a component, and a factor to SI."""
 
     owner: str
     component: int
@@ -104,8 +105,37 @@ def _named(lines: list[Row], found: Findings, source: Source) -> Motion:
             columns.setdefault(heading.owner, {})[heading.component] = values * heading.factor
     stacked = {owner: np.stack([parts[k] for k in sorted(parts)], axis=-1) for owner, parts in columns.items()}
     time, platform = stacked.pop("time")[:, 0], stacked.pop("platform", None)
-    points = {int(owner.split()[1]): values for owner, values in stacked.items()}
-    return Motion(time, platform=platform, points=points, source=source)
+    turbines, points = (
+        {int(owner.split()[1]): values for owner, values in stacked.items() if owner.startswith(kind)}
+        for kind in ("turbine", "point")
+    )
+    return Motion(time, platform=platform, turbines=turbines, points=points, source=source)
+
+
+def motion_of_turbines(model: Model) -> Motion | None:
+    """Return the motion that a native file gives its turbines, from the files that it names; None where it gives none.
+
+    Raises
+    ------
+    MotionError
+        Only some of the turbines have one, or a file of them moves no platform.
+    """
+    named = [turbine for turbine in model.turbines if turbine.motion]
+    if not named:
+        return None
+    found = Findings()
+    for turbine in model.turbines:
+        if not turbine.motion:
+            message = f"turbine {turbine.id} has no motion, others have"
+            found.add(message, "name a file (with zeros where it rests)", turbine.source)
+    found.raise_any(MotionError)
+    motions = {turbine.id: read_motion(Path(model.file).parent / turbine.motion) for turbine in named}
+    for turbine in named:
+        if motions[turbine.id].platform is None:
+            message = f"motion of turbine {turbine.id} has no columns of a platform"
+            found.add(message, f"give time[s], {', '.join(PLATFORM)}", turbine.source, turbine.motion)
+    found.raise_any(MotionError)
+    return dataclasses.replace(Motion.from_turbines(motions), source=Source(model.file))
 
 
 def _heading(name: str, found: Findings, source: Source) -> _Heading | None:
@@ -113,9 +143,10 @@ def _heading(name: str, found: Findings, source: Source) -> _Heading | None:
     word, unit = (match[1].strip(), match[2]) if match else (name.lower(), None)
     owner, component, dimension = _meaning(word)
     if not owner:
-        nearest = difflib.get_close_matches(word, ["time", *PLATFORM, "point1.x", "point1.y", "point1.z"], n=1)
+        every = ["time", *PLATFORM, "point1.x", "point1.y", "point1.z", *(f"turbine1.{part}" for part in PLATFORM)]
+        nearest = difflib.get_close_matches(word, every, n=1)
         hint = f"did you mean {nearest[0]}? " if nearest else ""
-        remedy = f"{hint}use time[s], {', '.join(PLATFORM)}, or point4.x[m]"
+        remedy = f"{hint}use time[s], {', '.join(PLATFORM)}, turbine2.surge[m], or point4.x[m]"
         found.add("motion column is not known", remedy, source, name)
         return None
     factor = UNITS[dimension].get(unit or "")
@@ -138,6 +169,10 @@ def _meaning(word: str) -> tuple[str, int, str]:
     if word in PLATFORM:
         component = PLATFORM.index(word)
         return "platform", component, "length" if component < 3 else "angle"
+    match = re.fullmatch(rf"turbine\s*(\d+)\.({'|'.join(PLATFORM)})", word)
+    if match:
+        _, component, dimension = _meaning(match[2])
+        return f"turbine {int(match[1])}", component, dimension
     match = re.fullmatch(r"point\s*(\d+)\.([xyz])", word)
     if match:
         return f"point {int(match[1])}", "xyz".index(match[2]), "length"
@@ -146,11 +181,7 @@ def _meaning(word: str) -> tuple[str, int, str]:
 
 def _complete(headings: list[_Heading], found: Findings, source: Source) -> None:
     """Note components that are missing or given twice."""
-    owners = {"time": ("time[s]",)} | {
-        h.owner: PLATFORM if h.owner == "platform" else tuple(f"{h.owner.replace(' ', '')}.{a}" for a in "xyz")
-        for h in headings
-        if h.owner != "time"
-    }
+    owners = {"time": ("time[s]",)} | {h.owner: _names_of(h.owner) for h in headings if h.owner != "time"}
     for owner, names in owners.items():
         given = [h.component for h in headings if h.owner == owner]
         missing = [name for k, name in enumerate(names) if k not in given]
@@ -161,6 +192,14 @@ def _complete(headings: list[_Heading], found: Findings, source: Source) -> None
             found.add(f"motion column {', '.join(twice)} appears twice", "remove one", source)
     if len(owners) == 1:
         found.add("motion file has no columns after time", f"add {', '.join(PLATFORM)}, or point4.x[m], ...", source)
+
+
+def _names_of(owner: str) -> tuple[str, ...]:
+    """Return the names of the columns of a platform, a turbine or a point."""
+    if owner == "platform":
+        return PLATFORM
+    parts: tuple[str, ...] = PLATFORM if owner.startswith("turbine") else ("x", "y", "z")
+    return tuple(f"{owner.replace(' ', '')}.{part}" for part in parts)
 
 
 Motion.reader = read_motion

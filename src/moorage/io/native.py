@@ -41,6 +41,7 @@ from moorage.model import (
     RodType,
     Section,
     Soil,
+    Turbine,
     UnreadWater,
     Waves,
 )
@@ -78,6 +79,10 @@ def _load(text: str, path: Path, found: Findings) -> Values | None:
 
 
 def _model(values: Values, folder: Path, found: Findings) -> Model:
+    turbines = tuple(Turbine(**entry) for entry in values.get("turbines", ()))
+    for entry in (*values.get("points", ()), *values.get("rods", ()), *values.get("bodies", ())):
+        if "turbine" in entry:
+            entry["turbine"] = _owner(entry["turbine"], turbines, found)
     points = tuple(_point(entry) for entry in values.get("points", ()))
     ids = {point.name: point.id for point in points if point.name}
     return Model(
@@ -88,6 +93,7 @@ def _model(values: Values, folder: Path, found: Findings) -> Model:
         rod_types=tuple(RodType(name=name, **entry) for name, entry in values.get("rod_types", {}).items()),
         rods=tuple(Rod(**entry) for entry in values.get("rods", ())),
         bodies=tuple(Body(**entry) for entry in values.get("bodies", ())),
+        turbines=turbines,
         failures=tuple(
             Failure(**entry | {"attachment": _end(entry["attachment"], ids, found)})
             for entry in values.get("failures", ())
@@ -152,6 +158,20 @@ def _waves(values: Values, folder: Path, found: Findings) -> Waves | None:
     if "spectrum" in asked:
         return sea_state(asked, water, found)
     return components(asked, water, found)
+
+
+def _owner(value: tuple[str, Source], turbines: tuple[Turbine, ...], found: Findings) -> int:
+    """Return the number of a turbine that is called by its number or name."""
+    word, source = value
+    named = next((turbine.id for turbine in turbines if turbine.name == word), None)
+    if named is not None:
+        return named
+    if re.fullmatch(r"\d+", word):
+        return int(word)
+    known = ", ".join(turbine.name for turbine in turbines if turbine.name) or "no turbine has a name"
+    found.add("turbine is not known", f"write its number, or a name ({known})", source, word)
+    found.lost_rows = True
+    return 0
 
 
 def _point(values: Values) -> Point:

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from moorage.io.moordyn import is_driver, read_driver, read_moordyn
+from moorage.io.moordyn import is_driver, is_farm, read_driver, read_farm, read_moordyn
 from moorage.io.native import read_native
 from moorage.io.text import read_text
 from moorage.model import Model
 
 
 def read(path: str | Path, raise_to_seabed: bool = False) -> Model:
-    """Read a model from a file: native (.yaml, .yml), MoorDyn v2 (C or F), v1, MoorDyn-F's driver file.
+    """Read a model from a file: native (.yaml, .yml), MoorDyn v2 (C or F), v1, a driver file, FAST.Farm's .fstf.
 
     Parameters
     ----------
@@ -22,6 +22,9 @@ def read(path: str | Path, raise_to_seabed: bool = False) -> Model:
     path = Path(path)
     if path.suffix.lower() in (".yaml", ".yml"):
         return read_native(path, raise_to_seabed)
-    if is_driver(read_text(path, "model file")):
+    text = read_text(path, "model file")
+    if is_driver(text):
         return read_driver(path, raise_to_seabed).model
+    if is_farm(text):
+        return read_farm(path, raise_to_seabed).model
     return read_moordyn(path, raise_to_seabed=raise_to_seabed)

@@ -13,8 +13,8 @@ class Key:
     """A key: the kind of its value, unit, meaning, and whether it must be given.
 
     Kinds: number, integer, text, flag; number or nearest (that word); vector (three numbers), position (z may be the
-    word seabed), numbers (a list); curve (a number, or x and y, or a file); end (of a line); `one of a, b`; and for
-    nested objects of this schema their name, `list of name` and `map of name`.
+    word seabed), numbers (a list); curve (a number, or x and y, or a file); end (of a line); owner (a turbine);
+    `one of a, b`; and for nested objects of this schema their name, `list of name` and `map of name`.
     """
 
     kind: str
@@ -63,6 +63,7 @@ SCHEMA: dict[str, dict[str, Key]] = {
         "rod_types": Key("map of rod type", "-", "properties of rods, by name"),
         "rods": Key("list of rod", "-", "rigid cylinders"),
         "bodies": Key("list of body", "-", "rigid bodies"),
+        "turbines": Key("list of turbine", "-", "platforms of a farm, each with a motion of its own"),
         "failures": Key("list of failure", "-", "lines that come off"),
         "controls": Key("list of control", "-", "lines whose length follows a channel"),
         "external_loads": Key("list of external load", "-", "constant forces and dampers"),
@@ -253,7 +254,7 @@ SCHEMA: dict[str, dict[str, Key]] = {
         "added_mass": Key("number", "-", "Ca on the displaced mass"),
         "external_force": Key("vector", "N", "constant force"),
         "body": Key("integer", "-", "body that carries it"),
-        "turbine": Key("integer", "-", "turbine that it is coupled to"),
+        "turbine": Key("owner", "-", "turbine (number or name) that carries it"),
     },
     "line": {
         "id": Key("integer", "-", "number", True),
@@ -306,7 +307,7 @@ SCHEMA: dict[str, dict[str, Key]] = {
         "end_b": Key("vector", "m", "end B; for a rod without length, a point that it looks at", True),
         "segments": Key("integer", "-", "number of segments, 0 for a rod without length", True),
         "body": Key("integer", "-", "body that carries it"),
-        "turbine": Key("integer", "-", "turbine that it is coupled to"),
+        "turbine": Key("owner", "-", "turbine (number or name) that carries it"),
         "outputs": Key("text", "-", "MoorDyn's letters of its own output file"),
     },
     "body": {
@@ -321,7 +322,13 @@ SCHEMA: dict[str, dict[str, Key]] = {
         "volume": Key("number", "m3", "displaced volume"),
         "drag_area": Key("numbers", "m2, m5", "CdA of six components"),
         "added_mass": Key("numbers", "-", "Ca of six components"),
-        "turbine": Key("integer", "-", "turbine that it is coupled to"),
+        "turbine": Key("owner", "-", "turbine (number or name) that carries it"),
+    },
+    "turbine": {
+        "id": Key("integer", "-", "number", True),
+        "name": Key("text", "-", "name, by which what is on it may call it"),
+        "position": Key("vector", "m", "reference point; what is on it is described from there", True),
+        "motion": Key("text", "-", "file with its motion: time, surge, sway, heave, roll, pitch, yaw"),
     },
     "failure": {
         "id": Key("integer", "-", "number", True),
@@ -365,6 +372,7 @@ def as_markdown() -> str:
         "",
         "What is not required has a default. A *curve* is a number, `{x: [...], y: [...]}`, or `{file: name}` with two",
         "columns; the z of a *position* may be the word `seabed`; an *end* is a point's number or name, or `rod 1 A`.",
+        "An *owner* is a turbine's number or name.",
         "A *bathymetry* with the key `file` is a *bathymetry file*: a raster, see [the seabed](seabed.md); so are a",
         "*friction map* with the key `axial_file` and a *stiffness map* with the key `file`;",
         "*waves* with the key `spectrum` are a *sea state*, with `density` a *spectrum table*, with `file` a *wave",

@@ -79,6 +79,7 @@ class NodeReader:
             "texts": lambda n, w: [(self._text(item, w), self.source(item)) for item in self._items(n, w)],
             "pairs": self._pairs,
             "end": lambda n, w: (self._text(n, w), self.source(n)),
+            "owner": lambda n, w: (self._text(n, w), self.source(n)),
         }
         return readers[kind](node, what)
 

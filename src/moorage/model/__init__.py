@@ -30,6 +30,7 @@ from moorage.model.environment import (
 )
 from moorage.model.model import Model, OutputChannel, UnusedOption
 from moorage.model.motion import Motion
+from moorage.model.turbines import Turbine
 from moorage.model.waves import Waves
 
 __all__ = [
@@ -59,6 +60,7 @@ __all__ = [
     "Section",
     "Soil",
     "StiffnessMap",
+    "Turbine",
     "UnreadWater",
     "UnusedOption",
     "Waves",

@@ -31,6 +31,12 @@ from moorage.model.environment import Bathymetry, FrictionMap, StiffnessMap
 from moorage.model.event_checks import channels_exist, described, events_name_what_exists
 from moorage.model.model import Model
 from moorage.model.seabed import below_seabed
+from moorage.model.turbines import (
+    listed_turbines_exist,
+    placed,
+    turbines_at_one_place,
+    turbines_carry_what_is_coupled,
+)
 from moorage.model.water_checks import (
     current_is_possible,
     doubtful_current,
@@ -55,6 +61,7 @@ def check(model: Model) -> None:
 def problems_of(model: Model) -> list[Problem]:
     """Return everything that is wrong with a model; what names others is not judged until the names are right."""
     left_out = REFERRING if any(names_are_unique(model)) else ()
+    model = placed(model)
     return [problem for function in CHECKS if function not in left_out for problem in function(model)]
 
 
@@ -62,8 +69,9 @@ def suspicious(model: Model) -> list[Problem]:
     """Return what can be run but is hardly meant."""
     doubts = (
         pinned_junctions, weak_friction, points_off_the_grid, anchors_over_the_bed, steep_waves, doubtful_current,
-        doubtful_directions,
+        doubtful_directions, turbines_at_one_place,
     )  # fmt: skip
+    model = placed(model)
     return [problem for doubt in doubts for problem in doubt(model)]
 
 
@@ -77,6 +85,7 @@ def _named(model: Model) -> Iterator[tuple[str, object, Source | None]]:
         ("point", model.points),
         ("rod", model.rods),
         ("body", model.bodies),
+        ("turbine", model.turbines),
         ("failure", model.failures),
         ("external load", model.external_loads),
     ):
@@ -196,6 +205,7 @@ def names_are_unique(model: Model) -> Iterator[Problem]:
         ("point", model.points, "id"),
         ("rod", model.rods, "id"),
         ("body", model.bodies, "id"),
+        ("turbine", model.turbines, "id"),
         ("failure", model.failures, "id"),
     ):
         seen: dict[object, object] = {}
@@ -314,6 +324,8 @@ CHECKS: tuple[Check, ...] = (
     sections_are_possible,
     ends_exist,
     carriers_exist,
+    listed_turbines_exist,
+    turbines_carry_what_is_coupled,
     rods_have_length,
     directions_are_given,
     clamps_face_their_lines,
@@ -331,6 +343,7 @@ CHECKS: tuple[Check, ...] = (
 REFERRING: tuple[Check, ...] = (
     ends_exist,
     carriers_exist,
+    listed_turbines_exist,
     clamps_face_their_lines,
     joints_are_joints,
     free_points_are_held,

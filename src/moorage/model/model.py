@@ -19,6 +19,7 @@ from moorage.model.components import (
 )
 from moorage.model.environment import Environment
 from moorage.model.notebook import model_html
+from moorage.model.turbines import Turbine
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -51,6 +52,10 @@ class Model:
         Time between results that the file asks for (MoorDyn's dtOut), s; None when it does not say.
     flavour : str
         "native", "MoorDyn-C", "MoorDyn-F", "MoorDyn v2" (either) or "MoorDyn v1": what the input was read as.
+    turbines : tuple of Turbine
+        The platforms of a farm, with their places; empty for a file of MoorDyn that was read by itself.
+    in_place : bool
+        Whether what is on turbines has global coordinates already (`moorage.model.turbines.placed`).
     text : str
         The input as read, kept for the record of a run.
     sources : tuple of (str, Source)
@@ -64,6 +69,7 @@ class Model:
     rod_types: tuple[RodType, ...] = ()
     rods: tuple[Rod, ...] = ()
     bodies: tuple[Body, ...] = ()
+    turbines: tuple[Turbine, ...] = ()
     failures: tuple[Failure, ...] = ()
     controls: tuple[Control, ...] = ()
     external_loads: tuple[ExternalLoad, ...] = ()
@@ -72,6 +78,7 @@ class Model:
     output_interval: float | None = None
     title: str = ""
     flavour: str = "native"
+    in_place: bool = field(default=False, repr=False)
     file: str = field(default="", compare=False)
     text: str = field(default="", compare=False, repr=False)
     unused_options: tuple[UnusedOption, ...] = field(default=(), compare=False)

@@ -28,14 +28,6 @@ def _joints(model: Model) -> Iterator[Problem]:
             yield Problem(message, "join two cables at a rod", rod.source)
 
 
-def _turbines(model: Model) -> Iterator[Problem]:
-    for kind, things in (("point", model.points), ("rod", model.rods), ("body", model.bodies)):
-        for thing in things:
-            if thing.turbine is not None:  # type: ignore[attr-defined]
-                message = f"{kind} {thing.id}: attachments to turbines are not simulated yet"  # type: ignore[attr-defined]
-                yield Problem(message, "describe it as coupled", thing.source)  # type: ignore[attr-defined]
-
-
 def _viscoelastic(model: Model) -> Iterator[Problem]:
     for t in model.line_types:
         if t.viscoelastic and not t.syrope:
@@ -84,7 +76,6 @@ def _controls(model: Model) -> Iterator[Problem]:
 
 UNBUILT: tuple[Callable[[Model], Iterator[Problem]], ...] = (
     _joints,
-    _turbines,
     _viscoelastic,
     _bending_damping,
     _syrope,

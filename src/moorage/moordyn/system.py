@@ -14,6 +14,7 @@ from moorage.io import read
 from moorage.layout import OF_OBJECTS, State, copy_of
 from moorage.model import Attachment, Failure
 from moorage.model.checks import check
+from moorage.model.turbines import placed
 from moorage.moordyn.changes import broken, option, with_line, without_host_parts
 from moorage.moordyn.codes import LEVEL_ERR, LEVEL_MSG, LEVEL_WRN
 from moorage.moordyn.log import Log
@@ -54,8 +55,10 @@ class System:
             warnings.simplefilter("always", ModelWarning)
             model = read(path)
             check(model)
-            self.model, self.failures = without_host_parts(model), list(model.failures)
-            accept(dataclasses.replace(self.model, unused_options=()))  # options of MoorDyn are no surprise here
+            self.failures = list(model.failures)
+            # options of MoorDyn are no surprise here
+            accept(dataclasses.replace(without_host_parts(model), unused_options=()))
+        self.model = placed(without_host_parts(model))
         for warning in caught:
             self.log.say(LEVEL_WRN, str(warning.message))
         self.step_max: float | None = None
@@ -174,7 +177,7 @@ class System:
         broke = self._break_lines()
         if self.text is not None:
             self.text.write(self.host, dt)
-        return self.coupled_forces() if broke else self.coupling.forces(host, force)
+        return self.coupled_forces() if broke else self.coupling.forces(host, force, target)
 
     def _pay_out(self, lengths: dict[int, float]) -> None:
         """Make lines longer, m."""
@@ -183,7 +186,7 @@ class System:
 
     def coupled_forces(self) -> np.ndarray:
         """Return the forces on the coupled degrees of freedom now, (dof,), N and N m."""
-        return self.coupling.forces(self.host, self.host._forces(self.time))
+        return self.coupling.forces(self.host, self.host._forces(self.time), self.pose)
 
     def body_motion(self, place: int) -> tuple[np.ndarray, np.ndarray]:
         """Return position with angles (m, rad) of a body by its place, and velocity with spin, (6,) each."""

@@ -12,6 +12,7 @@ from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.patheffects import withStroke
 
 from moorage.model import Attachment, Model
+from moorage.model.turbines import placed
 from moorage.plot.style import COLOURS, QUIET, SEABED, new_figure, plain
 from moorage.results.bed_level import bed_level
 
@@ -149,6 +150,7 @@ def _of_result(ds: xr.Dataset) -> Footprint:
 def _of_model(model: Model) -> Footprint:
     grid = model.environment.bathymetry
     x, y, depth = map(np.array, (grid.x, grid.y, grid.depth)) if grid else _NO_GRID
+    model = placed(model)
     places = [(p.kind, _place(model, Attachment("point", p.id))) for p in model.points]
     kinds = {kind for kind, _ in places}
     return Footprint(

@@ -14,6 +14,7 @@ from moorage.results.channels import Output
 from moorage.results.index import Index
 from moorage.results.sea import COMPONENT, ELEVATION, sea_columns, sea_coordinates
 from moorage.results.seabed import UPLIFT, Seabed
+from moorage.results.turbines import Turbines
 from moorage.solve.given_water import WaterFeed
 from moorage.solve.march import Block
 from moorage.variables import VARIABLES, attributes
@@ -54,6 +55,8 @@ class Layout:
         The sea, where there is one.
     carried : Carried or None
         For models with rods or bodies: what their columns need.
+    turbines : Turbines or None
+        For farms: what their columns need.
     static : mapping of str to (lines,) float
         Tensions of the static solution that a run starts from.
     """
@@ -65,6 +68,7 @@ class Layout:
     seabed: Seabed | None = None
     waves: Waves | WaterFeed | None = None
     carried: Carried | None = None
+    turbines: Turbines | None = None
     static: Mapping[str, np.ndarray] = field(default_factory=dict)
 
     @property
@@ -78,7 +82,7 @@ class Layout:
         times = ("time", "node_time") if self.node_time == "node_time" else ("time",)
         sea = ELEVATION if self.waves else ()
         at_ends = (MOMENTS if self.bending else ()) + (UPLIFT if self.seabed else ())
-        carried = self.carried.names if self.carried else ()
+        carried = sum((part.names for part in (self.carried, self.turbines) if part), ())
         return (
             times
             + sea
@@ -107,6 +111,7 @@ class Layout:
         """Length of every dimension but time."""
         sea = {COMPONENT: len(self.waves.frequency)} if isinstance(self.waves, Waves) else {}
         carried = self.carried.sizes if self.carried else {}
+        carried |= self.turbines.sizes if self.turbines else {}
         return self.index.sizes | carried | (self.seabed.sizes if self.seabed else {}) | sea
 
     def coordinates(self) -> dict[str, np.ndarray]:
@@ -117,6 +122,7 @@ class Layout:
         rows = {n: values for n, values in known if VARIABLES[n].dims not in left_out and n not in unused}
         sea = sea_coordinates(self.waves) if isinstance(self.waves, Waves) else {}
         carried = self.carried.coordinates if self.carried else {}
+        carried |= self.turbines.coordinates if self.turbines else {}
         return rows | carried | (self.seabed.coordinates if self.seabed else {}) | sea | dict(self.static)
 
     def dims(self, name: str) -> tuple[str, ...]:
@@ -146,6 +152,7 @@ class Layout:
             **(self.bending.columns(block) if self.bending else {}),
             **(self.seabed.columns(block) if self.seabed else {}),
             **(self.carried.columns(block) if self.carried else {}),
+            **(self.turbines.columns(block) if self.turbines else {}),
             **(sea_columns(self.waves, block["time"]) if self.waves else {}),
             **{output.name: output.evaluate(block) for output in self.outputs},
         }

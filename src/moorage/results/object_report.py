@@ -1,4 +1,4 @@
-"""Where bodies and rods are, in numbers that a table shows.
+"""Where turbines, bodies and rods are, in numbers that a table shows.
 
 Verified by tests/unit/test_object_report.py.
 """
@@ -14,9 +14,9 @@ XYZ, TURNS = ("x", "y", "z"), ("roll", "pitch", "yaw")
 
 
 class ObjectSummary(NamedTuple):
-    """One coordinate of a body or of an end of a rod, m or deg; in statics all four are the same."""
+    """One coordinate of a turbine, a body or an end of a rod, m or deg; in statics all four are the same."""
 
-    name: str  # "body 1", "end A of rod 2"
+    name: str  # "turbine 1", "body 1", "end A of rod 2"
     coordinate: str
     unit: str
     start: float
@@ -26,12 +26,12 @@ class ObjectSummary(NamedTuple):
 
 
 def object_summaries(ds: xr.Dataset) -> list[ObjectSummary]:
-    """Return the coordinates of all bodies and ends of rods of a static solution or a run; none without these."""
+    """Return the coordinates of turbines, bodies and ends of rods of a static solution or a run; none without these."""
     found: list[ObjectSummary] = []
-    if "body_position" in ds:
-        for k, id in enumerate(ds["body"].values):
-            found += _summaries(f"body {id}", XYZ, "m", _history(ds["body_position"])[:, k])
-            found += _summaries(f"body {id}", TURNS, "deg", np.degrees(_history(ds["body_rotation"])[:, k]))
+    for what in ("turbine", "body"):
+        for k, id in enumerate(ds[what].values if f"{what}_position" in ds else ()):
+            found += _summaries(f"{what} {id}", XYZ, "m", _history(ds[f"{what}_position"])[:, k])
+            found += _summaries(f"{what} {id}", TURNS, "deg", np.degrees(_history(ds[f"{what}_rotation"])[:, k]))
     if "rod_position" in ds:
         for k, id in enumerate(ds["rod"].values):
             for side, end in enumerate(ds["rod_end"].values):

@@ -9,7 +9,7 @@ from datetime import UTC, datetime
 
 from moorage.model import Model, Motion, OutputChannel
 from moorage.results.sea import sea_attributes
-from moorage.words import current_words
+from moorage.words import current_words, turbine_words
 
 
 def run_attributes(
@@ -32,6 +32,7 @@ def run_attributes(
         "water_depth": float(model.environment.water_depth),
         "gravity": float(model.environment.gravity),
         "water_density": float(model.environment.water_density),
+        **({"turbines": turbine_words(model.turbines)} if model.turbines else {}),
         **_seabed(model),
         **sea_attributes(model.environment.waves),
         **_current(model),
@@ -92,6 +93,7 @@ def _motion_hash(motion: Motion | None) -> str:
         digest.update(motion.time.tobytes())
         for table in (motion.platform, motion.coupled):
             digest.update(b"-" if table is None else table.tobytes())
-        for id, table in sorted(motion.points.items()):
-            digest.update(f"{id}".encode() + table.tobytes())
+        for tables in (motion.turbines, motion.points):
+            for id, table in sorted(tables.items()):
+                digest.update(f"{id}".encode() + table.tobytes())
     return digest.hexdigest()

@@ -87,10 +87,19 @@ def static_report(ds: xr.Dataset) -> dict[str, object]:
             }
             for k, id in enumerate(ds["point"].values)
         ],
+        **({"turbines": _turbines(ds)} if "turbine_force" in ds else {}),
         "stiffness": ds["stiffness"].values.tolist(),
         "residual": float(ds["residual"]),
         "iterations": int(ds["iterations"]),
     }
+
+
+def _turbines(ds: xr.Dataset) -> list[dict[str, object]]:
+    names = ("position", "force", "moment")
+    return [
+        {"id": int(id)} | {name: ds[f"turbine_{name}"].values[k].tolist() for name in names}
+        for k, id in enumerate(ds["turbine"].values)
+    ]
 
 
 def plain(value: np.ndarray) -> object:

@@ -1,19 +1,19 @@
 """The vector of coupled degrees of freedom: what a host moves, and what the mooring does to it.
 
-A host gives position and Euler angles (intrinsic XYZ) of coupled bodies and rods, and positions of coupled points: all
-bodies first, then rods, then points, in the order of the file, six numbers each and three for points and pinned ones.
-Each row that the host drives (a point, an end of a rod, a pin, the direction of a clamp, an axis of a body) sits in the
-axes of one of them.
+A host gives position and Euler angles (intrinsic XYZ) of turbines, coupled bodies and rods, and positions of coupled
+points: all turbines first, then bodies, rods, points, in the order of the file, six numbers each and three for points
+and pinned ones. What is on a turbine goes with it and has no numbers of its own. Each row that the host drives (a
+point, an end of a rod, a pin, the direction of a clamp, an axis of a body) sits in the axes of one of them.
 """
 
 from __future__ import annotations
-
-from typing import NamedTuple
 
 import numpy as np
 
 from moorage.model import Attachment, Model, Rod
 from moorage.model.motion import MOVED, rotation_matrices
+from moorage.model.turbines import on_turbines
+from moorage.solve.aboard import Driven, parts_of, with_turbines
 from moorage.solve.host import HostMarch
 from moorage.solve.reactions import point_load
 from moorage.system.build import Built
@@ -59,6 +59,7 @@ class Coupling:
         self._carriers = {("body", body.id): k for k, body in enumerate(model.bodies) if body.kind in MOVED}
         self._carriers |= {("rod", r.id): k for k, r in enumerate(model.rods) if r.kind in MOVED and r.body is None}
         self.carries = bool(self._carriers)
+        self._aboard = {id: parts_of(model, built, id, driven) for kind, id, _ in self.owners if kind == "turbine"}
         p = built.system.points
         self._loaded = (p.mass != 0.0) | (p.buoyancy != 0.0) | (p.drag != 0.0) | p.given.any(axis=(1, 2))
 
@@ -72,12 +73,14 @@ class Coupling:
             velocity = self.shifts * velocity + np.cross(spin[self.owner], arm)
         return position, velocity
 
-    def forces(self, host: HostMarch, pulls: np.ndarray) -> np.ndarray:
+    def forces(self, host: HostMarch, pulls: np.ndarray, pose: np.ndarray) -> np.ndarray:
         """Return the vector (size,) of forces, and moments about the origin of each object, on the objects, N and N m.
 
         Parameters
         ----------
         host : HostMarch
+        pose : (size,) array
+            Where the objects are now.
         pulls : (m, 3) array
             Forces of the lines on the coupled points, as it has just returned them; the weight, buoyancy, drag and
             inertia of the objects themselves are added, and of all that they carry.
@@ -87,12 +90,25 @@ class Coupling:
         for (kind, id, width), first in zip(self.owners, self.starts[:-1], strict=True):
             if kind == "point":
                 row, holder = self._points[id]
-                out[first : first + 3] = pulls[row]
-                if self._loaded[holder]:
-                    out[first : first + 3] += point_load(host.march.built, holder, host.motion_of(row), now)[0]
+                out[first : first + 3] = self._on_point(host, pulls, row, holder, now)
+            elif kind == "turbine":
+                for part in self._aboard[id]:
+                    load = np.zeros(6)
+                    if part.kind == "point":
+                        load[:3] = self._on_point(host, pulls, part.row, part.holder, now)
+                    else:
+                        load[: part.width] = loads[f"{part.kind}_force"][0, part.place, : part.width]
+                    load[3:] += np.cross(host.motion_of(part.row)[0, :3] - pose[first : first + 3], load[:3])
+                    out[first : first + 6] += load
             else:
                 out[first : first + width] = loads[f"{kind}_force"][0, self._carriers[kind, id], :width]
         return out
+
+    def _on_point(self, host: HostMarch, pulls: np.ndarray, row: int, holder: int, now: np.ndarray) -> np.ndarray:
+        """Return the force (3,) of lines on a driven point, with its own weight, buoyancy, drag and inertia, N."""
+        if not self._loaded[holder]:
+            return pulls[row]
+        return pulls[row] + point_load(host.march.built, holder, host.motion_of(row), now)[0]
 
     def _rotations(self, pose, rate) -> tuple[np.ndarray, np.ndarray]:
         """Rotation matrices (owners, 3, 3) and angular velocities (owners, 3), rad/s, in global axes."""
@@ -107,9 +123,13 @@ class Coupling:
 def coupled_objects(model: Model) -> list[tuple[str, int, int]]:
     """Return (kind, id, number of degrees of freedom) of the coupled objects, in the order of the vector."""
     width = {"coupled": 6, "coupled-pinned": 3}
-    bodies = [("body", body.id, width[body.kind]) for body in model.bodies if body.kind in MOVED]
-    rods = [("rod", rod.id, width[rod.kind]) for rod in model.rods if rod.kind in MOVED and rod.body is None]
-    return bodies + rods + [("point", point.id, 3) for point in model.coupled_points]
+    used = {thing.turbine for _, thing in on_turbines(model)}
+    turbines = [("turbine", turbine.id, 6) for turbine in model.turbines if turbine.id in used]
+    bodies = [(b.id, b.kind, b.turbine) for b in model.bodies if b.kind in MOVED]
+    rods = [(r.id, r.kind, r.turbine) for r in model.rods if r.kind in MOVED and r.body is None]
+    for what, things in (("body", bodies), ("rod", rods)):
+        turbines += [(what, id, width[kind]) for id, kind, turbine in things if turbine is None]
+    return turbines + [("point", point.id, 3) for point in model.coupled_points if point.turbine is None]
 
 
 def described(model: Model) -> np.ndarray:
@@ -118,6 +138,9 @@ def described(model: Model) -> np.ndarray:
     for kind, id, width in coupled_objects(model):
         if kind == "point":
             parts.append(np.array(model.point(id).position))
+        elif kind == "turbine":
+            turbine = next(turbine for turbine in model.turbines if turbine.id == id)
+            parts.append(np.array([*turbine.position, 0.0, 0.0, 0.0]))
         elif kind == "body":
             body = next(body for body in model.bodies if body.id == id)
             parts.append(np.array([*body.position, *body.rotation])[:width])
@@ -125,15 +148,6 @@ def described(model: Model) -> np.ndarray:
             rod = next(rod for rod in model.rods if rod.id == id)
             parts.append(np.array([*rod.end_a, *angles_of(np.array(rod.direction))])[:width])
     return np.concatenate(parts) if parts else np.zeros(0)
-
-
-class Driven(NamedTuple):
-    """A row that a host drives."""
-
-    kind: str  # of its owner
-    id: int
-    local: np.ndarray  # (3,) place or direction in its axes
-    shifts: float  # 1: a place, which the owner shifts; 0: a direction
 
 
 def driven_rows(model: Model, built: Built) -> dict[int, Driven]:
@@ -165,7 +179,7 @@ def driven_rows(model: Model, built: Built) -> dict[int, Driven]:
             rows[int(built.bodies.place[k])] = Driven("body", body.id, np.zeros(3), 1.0)
             for axis in range(2):
                 rows[int(built.bodies.axes[k]) + axis] = Driven("body", body.id, np.eye(3)[axis], 0.0)
-    return rows
+    return with_turbines(rows, model)
 
 
 def _drive_rods(model: Model, holders: Holders, moved: set[int], rows: dict[int, Driven]) -> dict:

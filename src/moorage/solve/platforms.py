@@ -1,4 +1,4 @@
-"""Stiffness of a mooring to several platforms that move at once: each coupled body, and the coupled points as one."""
+"""Stiffness of a mooring to platforms that move at once: turbines, coupled bodies, and the coupled points as one."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from moorage.layout import copy_of
-from moorage.model import Attachment, Model
+from moorage.model import Attachment, Model, Turbine
 from moorage.model.motion import MOVED, rotation_matrices
 from moorage.physics.bending import PINNED
 from moorage.solve.record import COLUMNS, FORCE_A, MOMENT_A, sample_system
@@ -28,9 +28,14 @@ class Platform(NamedTuple):
 
 
 def platforms_of(model: Model) -> tuple[Platform, ...]:
-    """Return the coupled bodies, each about its own origin, and the other coupled things as one about the origin."""
+    """Return turbines and coupled bodies, each about its own origin, and the other coupled things about the origin.
+
+    What is on turbines has to be in global coordinates.
+    """
     number = holders_of(model, None, None).number
-    bodies = {body.id: [] for body in model.bodies if body.kind in MOVED}  # type: dict[int, list[int]]
+    turbines: dict[int, list[int]] = {turbine.id: [] for turbine in model.turbines}
+    on_turbine = {body.id: turbines[body.turbine] for body in model.bodies if body.turbine is not None}
+    bodies = {body.id: on_turbine.get(body.id, []) for body in model.bodies if body.kind in MOVED}
     loose: list[int] = []
     things = [(Attachment("point", p.id), p) for p in model.points]
     things += [(Attachment("rod", r.id, end), r) for r in model.rods for end in ("A", "B")]  # type: ignore[arg-type, misc]
@@ -38,15 +43,24 @@ def platforms_of(model: Model) -> tuple[Platform, ...]:
         if thing.body in bodies:
             bodies[thing.body].append(number[attachment])
         elif thing.body is None and thing.kind in MOVED:
-            loose.append(number[attachment])
+            (loose if thing.turbine is None else turbines[thing.turbine]).append(number[attachment])
     found = [
+        Platform(_name(turbine), np.unique(turbines[turbine.id]), np.array(turbine.position, float))
+        for turbine in model.turbines
+        if turbines[turbine.id]
+    ]
+    found += [
         Platform(f"body {body.id}", np.unique(bodies[body.id]), np.array(body.position, float))
         for body in model.bodies
-        if bodies.get(body.id)
+        if bodies.get(body.id) and body.turbine is None
     ]
     if loose:
         found.append(Platform("coupled points", np.unique(loose), np.zeros(3)))
     return tuple(found)
+
+
+def _name(turbine: Turbine) -> str:
+    return f"turbine {turbine.id}" + (f" ({turbine.name})" if turbine.name else "")
 
 
 def stiffness_of(built: Built, platforms: tuple[Platform, ...]) -> np.ndarray:

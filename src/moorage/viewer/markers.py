@@ -19,8 +19,9 @@ def markers(ds: xr.Dataset, position: np.ndarray, time: np.ndarray) -> tuple[np.
     """
     at_points = interpolated(ds["point_position"].values, ds["time"].values, time)
     kinds = ds["point_kind"].values
+    turbines = ds["point_turbine"].values if "point_turbine" in ds.coords else np.zeros(len(kinds), dtype=int)
     labels = [
-        {"name": _named("point", int(id), _name(ds, "point", k)), "kind": str(kinds[k])}
+        {"name": _named("point", int(id), _name(ds, "point", k)), "kind": str(kinds[k])} | _aboard(turbines[k])
         for k, id in enumerate(ds["point"].values)
     ]
     starts, nodes = line_starts(ds), []
@@ -35,16 +36,21 @@ def markers(ds: xr.Dataset, position: np.ndarray, time: np.ndarray) -> tuple[np.
 
 
 def platforms(places: np.ndarray, labels: list[dict], reach: float) -> list[list[int]]:
-    """Return rings of markers (rows of places (n, 3)) that are moved and stand together: what they hang on is one body.
+    """Return rings of markers (rows of places (n, 3)) that are moved together: what they hang on is one body.
 
-    `reach` is the typical horizontal distance from one end of a line to the other, m.
+    Those of a turbine are together, others where they stand together. `reach` is the typical horizontal distance from
+    one end of a line to the other, m.
     """
     moved = [k for k, label in enumerate(labels) if label["kind"].startswith("coupled")]
-    groups: list[list[int]] = []
+    aboard = {label["turbine"]: [] for label in labels if "turbine" in label}  # type: dict[int, list[int]]
     for k in moved:
+        if "turbine" in labels[k]:
+            aboard[labels[k]["turbine"]].append(k)
+    groups: list[list[int]] = []
+    for k in (k for k in moved if "turbine" not in labels[k]):
         near = [g for g in groups if min(np.linalg.norm(places[k] - places[i]) for i in g) < NEAR * reach]
         groups = [g for g in groups if g not in near] + [[k, *(i for g in near for i in g)]]
-    return [_ring(places, group) for group in groups if len(group) > 1]
+    return [_ring(places, group) for group in (*aboard.values(), *groups) if len(group) > 1]
 
 
 def line_reach(position: np.ndarray, starts: np.ndarray) -> float:
@@ -71,6 +77,10 @@ def bodies(ds: xr.Dataset, time: np.ndarray) -> tuple[np.ndarray, list[dict]]:
         return np.empty((len(time), 0, 6)), []
     both = np.concatenate([ds["body_position"].values, ds["body_rotation"].values], axis=-1)
     return interpolated(both, ds["time"].values, time), [{"name": f"body {int(id)}"} for id in ds["body"].values]
+
+
+def _aboard(turbine: int) -> dict[str, int]:
+    return {"turbine": int(turbine)} if turbine else {}
 
 
 def _name(ds: xr.Dataset, what: str, k: int) -> str:

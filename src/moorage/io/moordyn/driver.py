@@ -13,11 +13,12 @@ from pathlib import Path
 import numpy as np
 
 from moorage.errors import ModelWarning, MotionError, Source
+from moorage.io.moordyn.farm import only_turbines
 from moorage.io.moordyn.reader import read_moordyn
 from moorage.io.motion import read_motion
 from moorage.io.text import Findings, Row, read_text, rows
-from moorage.model import Body, Environment, Model, Motion
-from moorage.model.motion import rotation_matrices
+from moorage.model import Body, Environment, Model, Motion, Rod, Turbine
+from moorage.model.motion import MOVED, rotation_matrices
 
 NAMES = {
     "gravity": "Gravity",
@@ -75,13 +76,18 @@ def read_driver(path: str | Path, raise_to_seabed: bool = False) -> DriverCase:
     motionless = Findings()
     if mode == 1:
         _find_file(values, "InputsFile", path.parent, motionless)
+    if turbines < 0:
+        found.add("NumTurbines must not be negative", "0 is for one platform", values["NumTurbines"].source, turbines)
     offsets = _offsets(lines, max(1, turbines), found, Source(str(path)))
     found.raise_any()
     motionless.raise_any(MotionError)
     environment = Environment(water_depth=numbers["WtrDpth"], gravity=numbers["Gravity"], water_density=numbers["rhoW"])
-    model = read_moordyn(path.parent / values["MDInputFile"].words[0], environment, raise_to_seabed)
-    if turbines == 0:
-        model = _offset(model, offsets[0])
+    farm = tuple(_turbine(k + 1, *offset) for k, offset in enumerate(offsets)) if turbines else ()
+    model = read_moordyn(path.parent / values["MDInputFile"].words[0], environment, raise_to_seabed, farm)
+    if turbines:
+        model = only_turbines(model)
+    for k, (row, _) in enumerate(offsets):
+        model = _offset(model, row, k + 1 if turbines else None)
     motion = read_motion(path.parent / values["InputsFile"].words[0], model) if mode == 1 else None
     return DriverCase(model, motion, _duration(numbers["TMax"], motion, values["TMax"].source), numbers["dtC"])
 
@@ -138,8 +144,10 @@ def _integer(values: dict[str, Row], name: str, found: Findings) -> int:
     return found.integer(values[name].words[0], name, values[name].source) if name in values else 0
 
 
-def _offsets(lines: list[Row], count: int, found: Findings, source: Source) -> list[tuple[float, ...]]:
-    """Return the rows of initial positions: reference x, y, then surge, sway, heave (m) and roll, pitch, yaw (deg).
+def _offsets(lines: list[Row], count: int, found: Findings, source: Source) -> list[tuple[tuple[float, ...], Source]]:
+    """Return the rows of initial positions, with their places.
+
+    Reference x, y, then surge, sway, heave (m) and roll, pitch, yaw (deg).
 
     The heading of these columns says rad; MoorDyn-F's driver multiplies them by pi/180, so they are degrees.
     """
@@ -153,10 +161,10 @@ def _offsets(lines: list[Row], count: int, found: Findings, source: Source) -> l
         if len(row.words) != 8:
             found.add(f"row of initial positions has {len(row.words)} values", "give 8", row.source, row.text.strip())
         else:
-            table.append(found.numbers(row.words, "initial position", row.source))
+            table.append((found.numbers(row.words, "initial position", row.source), row.source))
     if len(body) < count:
         found.add(f"there are {len(body)} rows of initial positions", f"give {count}", lines[start].source)
-    if table and any(table[0][5:]):
+    if any(any(row[5:]) for row, _ in table):
         warnings.warn(
             f"{body[0].source}: initial angles are read in degrees, as MoorDyn-F does (its heading says rad)",
             ModelWarning,
@@ -165,17 +173,22 @@ def _offsets(lines: list[Row], count: int, found: Findings, source: Source) -> l
     return table
 
 
-def _offset(model: Model, row: tuple[float, ...]) -> Model:
-    """Return the model with its coupled objects moved: R = Rz(yaw) Ry(pitch) Rx(roll), then translated (MD_Init).
+def _turbine(id: int, row: tuple[float, ...], source: Source) -> Turbine:
+    """Return a turbine; the reference position (the first two numbers) counts in FAST.Farm mode only."""
+    return Turbine(id=id, position=(row[0], row[1], 0.0), source=source)
 
-    The reference position (the first two numbers) counts in FAST.Farm mode only.
+
+def _offset(model: Model, row: tuple[float, ...], turbine: int | None) -> Model:
+    """Return the model with the coupled objects of a turbine moved, or of the platform where there are no turbines.
+
+    R = Rz(yaw) Ry(pitch) Rx(roll) about the reference point, then translated (MD_Init).
     """
     if not any(row[2:]):
         return model
     shift = np.array(row[2:5])
     rotation = _rotation_zyx(*map(radians, row[5:]))
 
-    coupled = {point.id for point in model.coupled_points}
+    coupled = {point.id for point in model.coupled_points if point.turbine == turbine}
 
     def moved(position: tuple[float, float, float]) -> tuple[float, float, float]:
         x, y, z = (rotation @ np.array(position) + shift).tolist()
@@ -187,15 +200,15 @@ def _offset(model: Model, row: tuple[float, ...]) -> Model:
             dataclasses.replace(p, position=moved(p.position)) if p.id in coupled else p for p in model.points
         ),
         rods=tuple(
-            dataclasses.replace(r, end_a=moved(r.end_a), end_b=moved(r.end_b)) if _follows(r.kind) else r
+            dataclasses.replace(r, end_a=moved(r.end_a), end_b=moved(r.end_b)) if _follows(r, turbine) else r
             for r in model.rods
         ),
-        bodies=tuple(_turned(b, rotation, moved(b.position)) if _follows(b.kind) else b for b in model.bodies),
+        bodies=tuple(_turned(b, rotation, moved(b.position)) if _follows(b, turbine) else b for b in model.bodies),
     )
 
 
-def _follows(kind: str) -> bool:
-    return kind in ("coupled", "coupled-pinned")
+def _follows(thing: Body | Rod, turbine: int | None) -> bool:
+    return thing.kind in MOVED and thing.turbine == turbine
 
 
 def _turned(body: Body, rotation: np.ndarray, position: tuple[float, float, float]) -> Body:

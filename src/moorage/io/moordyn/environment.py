@@ -30,8 +30,9 @@ def read_environment(
     base = defaults or Environment(water_depth=0.0)
     numbers = {field: number(values, name, getattr(base, field)) for field, name in _NUMBERS.items()}
     depth = _depth(values, points, bathymetry, found, source, defaults)
-    places = [point.position for point in points if point.body is None]
-    places += [end for rod in rods if rod.body is None for end in (rod.end_a, rod.end_b if rod.segments else rod.end_a)]
+    places = [point.position for point in points if point.body is None and point.turbine is None]
+    held = [rod for rod in rods if rod.body is None and rod.turbine is None]
+    places += [end for rod in held for end in (rod.end_a, rod.end_b if rod.segments else rod.end_a)]
     sea = {"depth": depth, "gravity": numbers["gravity"], "density": numbers["water_density"]}
     water = read_water(values, Surroundings(sea, folder, places, found))
     return Environment(

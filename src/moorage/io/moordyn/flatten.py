@@ -8,6 +8,7 @@ from itertools import accumulate, pairwise
 
 from moorage.model import Attachment, Curve, Line, Model, OutputChannel, Point, Rod, RodType
 from moorage.model.channels import parse_channel
+from moorage.model.turbines import placed
 
 
 @dataclasses.dataclass(frozen=True)
@@ -146,7 +147,7 @@ def _joints(
 
     Returns what the section before a joint and the one after it are tied to.
     """
-    start, end = (_position(tie, model) for tie in (line.end_a, line.end_b))
+    start, end = (_position(tie, placed(model)) for tie in (line.end_a, line.end_b))
     lengths = list(accumulate(section.length for section in line.sections))
     stiff = any(_is_stiff(model, section.line_type) for section in line.sections)
     axis = tuple(b - a for a, b in zip(start, end, strict=True))

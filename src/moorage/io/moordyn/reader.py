@@ -14,10 +14,15 @@ from moorage.io.moordyn.options import Value, flavour, read_options, unused
 from moorage.io.moordyn.sections import Table, split_sections, unknown_sections
 from moorage.io.moordyn.v1 import is_v1
 from moorage.io.text import Findings, Row, read_text, rows
-from moorage.model import Environment, Line, Model
+from moorage.model import Environment, Line, Model, Turbine
 
 
-def read_moordyn(path: str | Path, defaults: Environment | None = None, raise_to_seabed: bool = False) -> Model:
+def read_moordyn(
+    path: str | Path,
+    defaults: Environment | None = None,
+    raise_to_seabed: bool = False,
+    turbines: tuple[Turbine, ...] = (),
+) -> Model:
     """Read and check a MoorDyn model file; all that is wrong with it comes as one `ModelError`.
 
     Parameters
@@ -27,11 +32,13 @@ def read_moordyn(path: str | Path, defaults: Environment | None = None, raise_to
     raise_to_seabed : bool
         Put fixed points that stand below the seabed on it, instead of refusing them, and those that stand less than a
         tenth of the depth over a depth grid.
+    turbines : tuple of Turbine
+        Where the turbines of a farm are, which another file says.
     """
     path = Path(path)
     text = read_text(path, "model file")
     found = Findings()
-    model = parse_moordyn(text, path, found, defaults)
+    model = dataclasses.replace(parse_moordyn(text, path, found, defaults), turbines=turbines)
     return checked(model, found, raise_to_seabed)
 
 
@@ -50,6 +57,7 @@ def parse_moordyn(text: str, path: Path, found: Findings, defaults: Environment 
     point_list = points.read_points(table("points"), found)
     type_columns = line_types.V1_COLUMNS if v1 else line_types.COLUMNS
     rod_list = rods.read_rods(table("rods"), found)
+    body_list = bodies.read_bodies(table("bodies"), found)
     line_list = lines.read_lines(table("lines"), lines.V1_COLUMNS if v1 else lines.COLUMNS, found)
     return Model(
         environment=read_environment(values, point_list, rod_list, path.parent, found, source, defaults),
@@ -58,7 +66,7 @@ def parse_moordyn(text: str, path: Path, found: Findings, defaults: Environment 
         points=tuple(point_list),
         rod_types=tuple(rods.read_rod_types(table("rod types"), found)),
         rods=tuple(rod_list),
-        bodies=tuple(bodies.read_bodies(table("bodies"), found)),
+        bodies=tuple(body_list),
         failures=tuple(events.read_failures(table("failure"), found)),
         controls=tuple(events.read_controls(table("control"), found)),
         external_loads=tuple(events.read_loads(table("external loads"), found)),
@@ -66,12 +74,18 @@ def parse_moordyn(text: str, path: Path, found: Findings, defaults: Environment 
         start=_start(values),
         output_interval=number(values, "dtOut", 0.0) or None,
         title=_title(front),
-        flavour="MoorDyn v1" if v1 else flavour(values),
+        flavour="MoorDyn v1" if v1 else _flavour(values, [*point_list, *rod_list, *body_list]),
         file=str(path),
         text=text,
         unused_options=unused(values),
         sources=sources(values),
     )
+
+
+def _flavour(values: dict[str, Value], things: list) -> str:
+    """Return whose file it is: that of MoorDyn-F where something is on a turbine, for MoorDyn-C knows none."""
+    told = flavour(values)
+    return "MoorDyn-F" if told == "MoorDyn v2" and any(thing.turbine is not None for thing in things) else told
 
 
 def _require_sections(tables: dict[str, Table], found: Findings, source: Source) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import math
 import re
 from pathlib import Path
@@ -12,6 +13,7 @@ from moorage.io.moordyn.flatten import flatten
 from moorage.io.moordyn.layout import Flavour, bars, number, rule, table, tie
 from moorage.io.moordyn.options import BY_NAME
 from moorage.model import Body, Curve, LineType, Model, Point, Rod
+from moorage.model.turbines import on_turbines, placed, turbines_have_places
 
 
 def write_moordyn(model: Model, path: str | Path, flavour: Flavour = "C") -> list[str]:
@@ -25,6 +27,7 @@ def write_moordyn(model: Model, path: str | Path, flavour: Flavour = "C") -> lis
     path = Path(path)
     flat = flatten(model)
     model, notes = flat.model, flat.notes
+    model = _without_turbines(model, notes) if flavour == "C" else model
     names = _names(model, notes)
     blocks = [
         _front(model),
@@ -45,6 +48,25 @@ def write_moordyn(model: Model, path: str | Path, flavour: Flavour = "C") -> lis
     path.write_text(text, "utf-8")
     notes += _unsaid(model)
     return notes
+
+
+def _without_turbines(model: Model, notes: list[str]) -> Model:
+    """Return the model with what is on turbines coupled, in global coordinates: MoorDyn-C knows no turbines."""
+    names = [f"{kind} {thing.id}" for kind, thing in on_turbines(model)]
+    if not names:
+        return model
+    if any(turbines_have_places(model)):
+        notes.append("MoorDyn-C knows no turbines, and their positions are not known: TurbineN is written as it was")
+        return model
+    notes.append(f"MoorDyn-C knows no turbines: coupled, in global coordinates: {', '.join(names)}")
+    model = placed(model)
+
+    def loose(things):
+        return tuple(dataclasses.replace(thing, turbine=None) for thing in things)
+
+    return dataclasses.replace(
+        model, points=loose(model.points), rods=loose(model.rods), bodies=loose(model.bodies), turbines=()
+    )
 
 
 def _front(model: Model) -> list[str]:
@@ -277,7 +299,16 @@ def _outputs(model: Model, flavour: Flavour, notes: list[str]) -> list[str]:
 
 def _unsaid(model: Model) -> list[str]:
     """Return what MoorDyn's tables have no place for."""
-    notes = [
+    places = [f"{t.id} at {', '.join(map(number, t.position))}" for t in model.turbines]
+    notes = [f"turbines have no place in the file; a driver file says where they are: {'; '.join(places)}"] * bool(
+        places
+    )
+    notes += [
+        f"{kind} {thing.id}: MoorDyn knows no pinned things on turbines; written as Turbine{thing.turbine}"
+        for kind, thing in on_turbines(model)
+        if thing.kind == "coupled-pinned"
+    ]
+    notes += [
         f"line type {t.name}: {field.replace('_', ' ')} has no place in the file"
         for t in model.line_types
         for field in ("minimum_bend_radius", "minimum_breaking_load")
