@@ -12,10 +12,11 @@ from moorage.physics.friction import ELASTIC, NONE, SOIL
 from moorage.physics.sea import no_sea
 from moorage.solve.implicit import stick_island
 from moorage.solve.places import place_name
+from moorage.solve.statics_flow import flow_island
 from moorage.solve.statics_kernel import descend_island, place_at_rest, relax_island, stick_where_it_is
 from moorage.system.build import Built
 
-QUICK, ITERATIONS = 300, 2000  # of continuation, and then of descent
+QUICK, FLOW, ITERATIONS = 300, 6000, 2000  # of continuation, then of implicit steps, and of descent
 
 
 class Equilibrium(NamedTuple):
@@ -64,21 +65,22 @@ def solve(built: Built, tolerance: float | None = None) -> Equilibrium:
     asked = natural_tolerance(built) if tolerance is None else tolerance
     accepted = max(asked, rounding(built))
     begin = copy_of(built.state)
+    hung = begin._replace(position=built.hung)
     system, laid = static_system(built.system), built.system.friction.laid
     islands = system.islands
     worst, where, used, damped = 0.0, -1, 0, 0
     for island in range(len(islands.line_ptr) - 1):
-        reach = _reach(built, island)
-        force, row, n, d = relax_island(system, built.state, built.work, island, reach, asked, QUICK)
-        used, damped = used + n, damped + d
-        if not force < accepted and islands.joint_ptr[island + 1] > islands.joint_ptr[island]:
-            _put_back(built, island, begin._replace(position=built.hung))
-            force, row, n, d = relax_island(system, built.state, built.work, island, reach, asked, QUICK)
+        reach, force, row = _reach(built, island), 1e300, -1
+        for start, method, goal, iterations in _ways(built, island, begin, hung, asked, accepted):
+            if force < accepted:
+                break
+            _put_back(built, island, start)
+            force, row, n, d = method(system, built.state, built.work, island, reach, goal, iterations)
             used, damped = used + n, damped + d
-        if not force < accepted:
-            _put_back(built, island, begin._replace(position=built.hung))
-            force, row, n, d = descend_island(system, built.state, built.work, island, reach, accepted, ITERATIONS)
-            used, damped = used + n, damped + d
+        if not force < accepted and system.lines.bends[_lines(built, island)].any():
+            _put_back(built, island, hung)
+            force, row, n = _through_pushing(built, system, island, reach, accepted)
+            used, damped = used + n, damped + n
         if not force < accepted and system.current.velocity.any():
             _put_back(built, island, begin)
             force, row, n = _from_still_water(built, system, island, reach, accepted)
@@ -102,6 +104,33 @@ def solve(built: Built, tolerance: float | None = None) -> Equilibrium:
         else:
             stick_where_it_is(system.lines, system.islands, built.state, island)
     return Equilibrium(worst, place_name(built, where), used, damped, accepted)
+
+
+def _ways(built: Built, island: int, begin: State, hung: State, asked: float, accepted: float) -> list[tuple]:
+    """Return the ways to equilibrium to try in turn: start, method, tolerance (N) and iterations."""
+    islands, bends = built.system.islands, built.system.lines.bends[_lines(built, island)].any()
+    ways = [(begin, relax_island, asked, QUICK)]
+    if islands.joint_ptr[island + 1] > islands.joint_ptr[island]:
+        ways.append((hung, relax_island, asked, QUICK))
+    if bends or islands.object_ptr[island + 1] > islands.object_ptr[island]:
+        ways.append((hung, flow_island, accepted, FLOW))
+    return [*ways, (hung, descend_island, accepted, ITERATIONS)]
+
+
+def _through_pushing(
+    built: Built, system: System, island: int, reach: float, accepted: float
+) -> tuple[float, int, int]:
+    """Find equilibrium from one with segments that push: slack ones would shrink to nothing on the way.
+
+    Returns the largest imbalance (N), its row and the iterations.
+    """
+    tension = system.tension._replace(slack=np.full_like(system.tension.slack, -1e300))
+    pushing = system._replace(tension=tension)
+    force, row, used, _ = flow_island(pushing, built.state, built.work, island, reach, accepted, FLOW)
+    if not force < accepted:
+        return force, row, used
+    force, row, n, _ = flow_island(system, built.state, built.work, island, reach, accepted, FLOW)
+    return force, row, used + n
 
 
 def static_system(system: System) -> System:
@@ -150,10 +179,15 @@ def _put_back(built: Built, island: int, begin: State) -> None:
             target[rows] = source[rows]
 
 
+def _lines(built: Built, island: int) -> np.ndarray:
+    """Return the lines of an island, and its rods as rigid lines."""
+    islands = built.system.islands
+    return islands.lines[islands.line_ptr[island] : islands.line_ptr[island + 1]]
+
+
 def _reach(built: Built, island: int) -> float:
     """Longest increment of a position, m: where bending is stiff, a fifth of the shortest segment."""
-    islands, system = built.system.islands, built.system
+    system, lines = built.system, _lines(built, island)
     ptr = system.lines.node_ptr - np.arange(len(system.lines.node_ptr))
-    lines = islands.lines[islands.line_ptr[island] : islands.line_ptr[island + 1]]
     shortest = min((system.tension.length[ptr[k] : ptr[k + 1]].min() for k in lines), default=10.0)
     return 0.2 * shortest if built.system.lines.bends[lines].any() else shortest
