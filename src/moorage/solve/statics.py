@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
+import warnings
 from typing import NamedTuple
 
 import numpy as np
 
-from moorage.errors import ConvergenceError
+from moorage.errors import ConvergenceError, ModelWarning
 from moorage.layout import OF_OBJECTS, State, System, copy_of
 from moorage.physics.friction import ELASTIC, NONE, SOIL
 from moorage.physics.sea import no_sea
 from moorage.solve.implicit import stick_island
 from moorage.solve.places import place_name
-from moorage.solve.statics_flow import flow_island
+from moorage.solve.statics_flow import flow_island, imbalance
 from moorage.solve.statics_kernel import descend_island, place_at_rest, relax_island, stick_where_it_is
 from moorage.system.build import Built
 
@@ -22,7 +23,8 @@ QUICK, FLOW, ITERATIONS = 300, 6000, 2000  # of continuation, then of implicit s
 class Equilibrium(NamedTuple):
     """Verdict of a static solution."""
 
-    residual: float  # largest out-of-balance force on a node or free point, N
+    residual: float  # largest out-of-balance force on a node or free point, N; above the tolerance where a slack line
+    # pushes, of which a warning tells
     where: str  # and where that is
     iterations: int  # Newton iterations of all islands
     damped: int  # those of them that needed pseudo-transient continuation
@@ -68,7 +70,7 @@ def solve(built: Built, tolerance: float | None = None) -> Equilibrium:
     hung = begin._replace(position=built.hung)
     system, laid = static_system(built.system), built.system.friction.laid
     islands = system.islands
-    worst, where, used, damped = 0.0, -1, 0, 0
+    worst, where, used, damped, pressed = 0.0, -1, 0, 0, []
     for island in range(len(islands.line_ptr) - 1):
         reach, force, row = _reach(built, island), 1e300, -1
         for start, method, goal, iterations in _ways(built, island, begin, hung, asked, accepted):
@@ -79,8 +81,9 @@ def solve(built: Built, tolerance: float | None = None) -> Equilibrium:
             used, damped = used + n, damped + d
         if not force < accepted and system.lines.bends[_lines(built, island)].any():
             _put_back(built, island, hung)
-            force, row, n = _through_pushing(built, system, island, reach, accepted)
+            force, row, n, pushes = _through_pushing(built, system, island, reach, accepted)
             used, damped = used + n, damped + n
+            pressed += [island] if pushes else []
         if not force < accepted and system.current.velocity.any():
             _put_back(built, island, begin)
             force, row, n = _from_still_water(built, system, island, reach, accepted)
@@ -98,6 +101,12 @@ def solve(built: Built, tolerance: float | None = None) -> Equilibrium:
             "run settle",
             worst,
         )
+    for island in pressed:
+        force, row, _ = imbalance(system, built.state, built.work, island)
+        if force > worst:
+            worst, where = force, row
+    if pressed:
+        _warn_of_pushing(built)
     for island in range(len(islands.line_ptr) - 1):
         if laid:
             stick_island(system, built.state, built.state, built.work.load, island)
@@ -114,23 +123,51 @@ def _ways(built: Built, island: int, begin: State, hung: State, asked: float, ac
         ways.append((hung, relax_island, asked, QUICK))
     if bends or islands.object_ptr[island + 1] > islands.object_ptr[island]:
         ways.append((hung, flow_island, accepted, FLOW))
-    return [*ways, (hung, descend_island, accepted, ITERATIONS)]
+    return ways if bends else [*ways, (hung, descend_island, accepted, ITERATIONS)]
 
 
-def _through_pushing(
-    built: Built, system: System, island: int, reach: float, accepted: float
-) -> tuple[float, int, int]:
-    """Find equilibrium from one with segments that push: slack ones would shrink to nothing on the way.
+def _through_pushing(built: Built, system: System, island: int, reach: float, accepted: float):
+    """Find equilibrium from one in which stiff lines push.
 
-    Returns the largest imbalance (N), its row and the iterations.
+    A line that is slack and stiff pushes somewhere. Segments that go slack instead shrink to nothing there, so that
+    there may be no other equilibrium than the one in which they push; the state is left in it then.
+
+    Returns the largest imbalance (N), its row, the iterations, and whether lines push.
     """
-    tension = system.tension._replace(slack=np.full_like(system.tension.slack, -1e300))
-    pushing = system._replace(tension=tension)
-    force, row, used, _ = flow_island(pushing, built.state, built.work, island, reach, accepted, FLOW)
+    force, row, used, _ = flow_island(pushing(system), built.state, built.work, island, reach, accepted, FLOW)
     if not force < accepted:
-        return force, row, used
-    force, row, n, _ = flow_island(system, built.state, built.work, island, reach, accepted, FLOW)
-    return force, row, used + n
+        return force, row, used, False
+    pushed = copy_of(built.state)
+    slack, where, n, _ = flow_island(system, built.state, built.work, island, reach, accepted, FLOW)
+    if slack < accepted:
+        return slack, where, used + n, False
+    _put_back(built, island, pushed)
+    return force, row, used + n, True
+
+
+def pushing(system: System) -> System:
+    """Return a system whose lines push as well as they pull, if they bend."""
+    lines = system.lines
+    bends = np.repeat(lines.bends, np.diff(lines.node_ptr) - 1)
+    return system._replace(tension=system.tension._replace(slack=np.where(bends, -1e300, system.tension.slack)))
+
+
+def _warn_of_pushing(built: Built) -> None:
+    """Warn of the line that pushes most in a state in which segments that go slack are pressed together."""
+    system, ptr = built.system, built.names.segment_ptr
+    e = np.diff(built.state.position[: built.names.node_ptr[-1]], axis=0)
+    e = np.delete(e, built.names.node_ptr[1:-1] - 1, axis=0)
+    spring, length = system.tension.spring[: ptr[-1]], system.tension.length[: ptr[-1]]
+    push = np.where(system.tension.slack[: ptr[-1]] == 0.0, spring * (length - np.linalg.norm(e, axis=1)), 0.0)
+    push[~np.repeat(system.lines.bends[: len(ptr) - 1], np.diff(ptr))] = 0.0
+    line = int(np.searchsorted(ptr, int(np.argmax(push)), side="right")) - 1
+    warnings.warn(
+        f"line {built.names.lines[line]} is slack and stiff: in the static state found it pushes with {push.max():.3g} "
+        "N, which its segments do not do in a run. They go slack and may shrink: let its line type have "
+        "carries_compression: true",
+        ModelWarning,
+        stacklevel=3,
+    )
 
 
 def static_system(system: System) -> System:

@@ -5,6 +5,9 @@ solved to its end: M (x - x0) / tau^2 = f(x) is where V + M (x - x0)^2 / (2 tau^
 falls from step to step, whatever K is, while tau is short enough. It is the equation of motion with accelerations
 (x - x0) / tau^2, for which the engine has forces and matrix. tau grows while Newton's method finds the end of the step
 easily; a long step is Newton's method for the equilibrium itself.
+
+Where even the shortest step has no end, slack segments of a stiff line have shrunk to nothing: bending does not mind
+their length, and nothing else holds them.
 """
 
 from __future__ import annotations
@@ -69,6 +72,14 @@ def step_down(system, state, work, island, tau, reach, tolerance):
 
 
 @kernel
+def imbalance(system, state, work, island):
+    """Largest out-of-balance force of an island (N), its row, and the sum of the squared forces."""
+    c = Weights(0.0, 0.0, 1.0)
+    assemble_island(system, state, state, work, island, c, 0.0)
+    return largest_imbalance(system, state, work, island, c)
+
+
+@kernel
 def flow_island(system, state, work, island, reach, tolerance, iterations):
     """Find equilibrium by implicit steps; returns the same as `relax_island`, all iterations as damped."""
     lines, islands, start = system.lines, system.islands, work.trial.position
@@ -77,8 +88,7 @@ def flow_island(system, state, work, island, reach, tolerance, iterations):
     while True:
         stop_island(lines, islands, state, island)
         begin_turning(islands, state, island)
-        assemble_island(system, state, state, work, island, Weights(0.0, 0.0, 1.0), 0.0)
-        force, row, _ = largest_imbalance(system, state, work, island, Weights(0.0, 0.0, 1.0))
+        force, row, _ = imbalance(system, state, work, island)
         if force < tolerance or not force < 1e299 or used >= iterations:
             return force, row, used, used
         copy_positions(lines, islands, island, state.position, start)
@@ -90,4 +100,6 @@ def flow_island(system, state, work, island, reach, tolerance, iterations):
         copy_positions(lines, islands, island, start, state.position)
         stop_island(lines, islands, state, island)
         attach(system, state, work, island, 0.0)
-        tau = max(SHORTEST, 0.35 * tau)
+        tau *= 0.35
+        if tau < SHORTEST:
+            return force, row, used, used
