@@ -19,17 +19,17 @@ from __future__ import annotations
 import warnings
 
 import numpy as np
-import pytest
 from common import must_fail
 from floats import body, floating, rod
 from moorings import DENSITY, fixed, held, joint, kind, line
 
 from moorage.errors import ConvergenceError, ModelWarning
-from moorage.layout import Weights
 from moorage.model import LineType, Model, RodType
 from moorage.solve import statics
-from moorage.solve.modes import pencil
+from moorage.solve.modes import island_pencil
 from moorage.solve.statics import solve
+from moorage.solve.statics_flow import imbalance
+from moorage.solve.statics_kernel import descend_island, relax_island
 from moorage.system.build import build
 
 COUNT, DEPTH = 100, 60.0
@@ -61,44 +61,108 @@ def random_float(number: int, pushes: bool = True) -> Model:
         up = np.array([*lean, 1.0])
         low = np.array([0.0, 0.0, -6.0]) if "surface" in what else random.uniform([-3, -3, -25], [3, 3, -10])
         high = low + 9.0 * up if "surface" in what else low + random.uniform(2.0, 8.0) * up / np.linalg.norm(up)
-        hull = RodType("spar", size, DENSITY * np.pi / 4.0 * size**2 * random.uniform(0.2, 0.8))
+        hull = RodType(
+            name="spar", diameter=size, mass_per_length=DENSITY * np.pi / 4.0 * size**2 * random.uniform(0.2, 0.8)
+        )
         spar = rod(1, "free", low, high)
         anchors = fixed(1, -30.0, 0.0, -DEPTH), fixed(2, 25.0, 20.0, -DEPTH)
         lines = [line(a.id, a.id, held(spar, "A"), ("cable", length(a.position, low), n)) for a in anchors]
         count = 1 if "one" in what else 2
         return floating((), (spar,), hull, type, {"water_depth": DEPTH}, points=anchors, lines=lines[:count])
     place = np.array([0.0, 0.0, random.uniform(-25.0, -8.0)])
-    float = body(1, position=tuple(place), rotation=tuple(random.normal(0.0, 0.15, 3)), volume=random.uniform(2.5, 8.0),
+    hull = body(1, position=tuple(place), rotation=tuple(random.normal(0.0, 0.15, 3)), volume=random.uniform(2.5, 8.0),
                  **HULL)  # fmt: skip
     out = np.stack([np.cos(AROUND), np.sin(AROUND), np.zeros(3)], axis=1)
     arms = 1.5 * out - [0.0, 0.0, 0.5]
-    clamps = [rod(1 + k, "fixed", a, a + 0.2 * (e - [0, 0, 1]), 0, body=1) for k, (a, e) in enumerate(zip(arms, out))]
+    clamps = [rod(1 + k, "fixed", a, a + 0.2 * (out[k] - [0.0, 0.0, 1.0]), 0, body=1) for k, a in enumerate(arms)]
     anchors = [fixed(1 + k, *(30.0 * e - [0.0, 0.0, DEPTH])) for k, e in enumerate(out)]
     moored = [line(1 + k, 1 + k, held(c, "B"), ("cable", length(anchors[k].position, place + arms[k]), n))
               for k, c in enumerate(clamps)]  # fmt: skip
     if what == "body":
-        return floating((float,), clamps, (), type, {"water_depth": DEPTH}, points=anchors, lines=moored)
+        return floating((hull,), clamps, (), type, {"water_depth": DEPTH}, points=anchors, lines=moored)
     low = random.uniform([12.0, 0.0, -30.0], [25.0, 0.0, -15.0])
-    stick, middle = rod(4, "free", low, low + [0.3, 0.2, 4.0], 3), joint(5, *(0.5 * (low + place) - [0.0, 0.0, 6.0]))
+    stick, middle = (
+        rod(4, "free", low, np.add(low, [0.3, 0.2, 4.0]), 3),
+        joint(5, *(0.5 * (low + place) - [0.0, 0.0, 6.0])),
+    )
     half = (0.51 + 0.2 * share) * np.linalg.norm(low - place)
     lines = [line(1, held(clamps[0], "B"), held(middle, "A"), ("cable", half, n // 2)),
              line(2, held(middle, "B"), held(stick, "A"), ("cable", half, n // 2)),
              line(3, 1, held(stick, "A"), ("cable", length(low, anchors[0].position), n)),
              line(4, 2, held(clamps[1], "B"), ("cable", length(place + arms[1], anchors[1].position), n))]  # fmt: skip
     types = RodType(name="spar", diameter=0.6, mass_per_length=120.0)
-    return floating((float,), (*clamps, stick, middle), types, type, {"water_depth": DEPTH}, points=anchors, lines=lines)
+    return floating((hull,), (*clamps, stick, middle), types, type, {"water_depth": DEPTH}, points=anchors, lines=lines)
 
 
-def failures(count: int = COUNT) -> list[int]:
-    """Numbers of the floats that are not found."""
-    failed = []
+def left(built) -> float:
+    """Return the largest force, or moment over size, that is out of balance, N."""
+    system = statics.static_system(built.system)
+    return max(
+        imbalance(system, built.state, built.work, island)[0] for island in range(len(system.islands.line_ptr) - 1)
+    )
+
+
+def least_eigenvalue(built) -> float:
+    """Return the least eigenvalue of the stiffness of any island over the largest."""
+    least = 0.0
+    for island in range(len(built.system.islands.line_ptr) - 1):
+        K = island_pencil(built, island).stiffness.toarray()
+        squares = np.linalg.eigvalsh(0.5 * (K + K.T))
+        least = min(least, squares[0] / squares[-1])
+    return least
+
+
+def check(count: int = COUNT) -> None:
+    failed, wrong = [], []
     for number in range(count):
+        built = build(random_float(number))
         try:
-            solve(build(random_float(number)))
+            equilibrium = solve(built)
         except ConvergenceError:
             failed.append(number)
-    return failed
+            continue
+        force, least = left(built), least_eigenvalue(built)
+        if force > 1.001 * equilibrium.tolerance or least < -1e-8:
+            wrong.append((number, force, least))
+    assert not failed, f"{failed}"
+    assert not wrong, f"{wrong}"
 
 
 def test_all_come_to_rest():
-    assert failures() == []
+    check()
+
+
+def test_increments_for_ropes_fail(monkeypatch):
+    monkeypatch.setattr(statics, "_ways", lambda built, island, begin, hung, asked, accepted: [
+        (begin, relax_island, asked, 300), (hung, descend_island, accepted, 2000)
+    ])  # fmt: skip
+    monkeypatch.setattr(statics, "flow_island", lambda *parts: (1e300, -1, 0, 0))
+    must_fail(check, 20)
+
+
+def test_those_that_would_shrink_are_told_of():
+    """All are found; where none of their segments pushes, in balance as they are."""
+    told = 0
+    for number in range(COUNT // 2):
+        built = build(random_float(number, pushes=False))
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always", ModelWarning)
+            equilibrium = solve(built)
+        if caught:
+            told += 1
+            assert "carries_compression: true" in str(caught[0].message)
+            assert equilibrium.residual > equilibrium.tolerance
+            pushing = built._replace(system=statics.pushing(built.system))
+            assert left(pushing) < 1.001 * equilibrium.tolerance
+        else:
+            assert equilibrium.residual < equilibrium.tolerance
+            assert left(built) < 1.001 * equilibrium.tolerance
+    assert 0 < told < COUNT // 4
+
+
+def test_a_state_beside_equilibrium_is_noticed():
+    built = build(random_float(2))
+    tolerance = solve(built).tolerance
+    assert left(built) < 1.001 * tolerance
+    built.state.position[3] += 1e-3
+    assert left(built) > 1.001 * tolerance

@@ -17,6 +17,7 @@ from moorage.solve.statics_flow import flow_island, imbalance
 from moorage.solve.statics_kernel import descend_island, place_at_rest, relax_island, stick_where_it_is
 from moorage.system.build import Built
 
+OFF_PLANE = 1e-3  # how far nodes are moved, as a share of their segments
 QUICK, FLOW, ITERATIONS = 300, 6000, 2000  # of continuation, then of implicit steps, and of descent
 
 
@@ -80,7 +81,7 @@ def solve(built: Built, tolerance: float | None = None) -> Equilibrium:
             force, row, n, d = method(system, built.state, built.work, island, reach, goal, iterations)
             used, damped = used + n, damped + d
         if not force < accepted and system.lines.bends[_lines(built, island)].any():
-            _put_back(built, island, hung)
+            _put_back(built, island, _off_plane(built, hung))
             force, row, n, pushes = _through_pushing(built, system, island, reach, accepted)
             used, damped = used + n, damped + n
             pressed += [island] if pushes else []
@@ -122,8 +123,22 @@ def _ways(built: Built, island: int, begin: State, hung: State, asked: float, ac
     if islands.joint_ptr[island + 1] > islands.joint_ptr[island]:
         ways.append((hung, relax_island, asked, QUICK))
     if bends or islands.object_ptr[island + 1] > islands.object_ptr[island]:
-        ways.append((hung, flow_island, accepted, FLOW))
+        ways.append((_off_plane(built, hung), flow_island, accepted, FLOW))
     return ways if bends else [*ways, (hung, descend_island, accepted, ITERATIONS)]
+
+
+def _off_plane(built: Built, start: State) -> State:
+    """Return a start with the nodes of stiff lines a little off where they are.
+
+    In the plane of its ends a line may stand on the edge of a loop, which nothing but chance can tip over.
+    """
+    system = built.system
+    bends, segments = system.lines.bends, np.diff(system.lines.node_ptr) - 1
+    length = np.repeat(bends, segments) * system.tension.length
+    nodes = np.delete(np.arange(system.lines.node_ptr[-1]), system.lines.node_ptr[1:] - 1)  # the first of each segment
+    position = start.position.copy()
+    position[nodes] += OFF_PLANE * length[:, None] * np.random.default_rng(0).uniform(-1.0, 1.0, (len(nodes), 3))
+    return start._replace(position=position)
 
 
 def _through_pushing(built: Built, system: System, island: int, reach: float, accepted: float):
@@ -142,6 +157,7 @@ def _through_pushing(built: Built, system: System, island: int, reach: float, ac
     if slack < accepted:
         return slack, where, used + n, False
     _put_back(built, island, pushed)
+    place_at_rest(system, built.state, built.work, island)  # turns the clamps back too
     return force, row, used + n, True
 
 

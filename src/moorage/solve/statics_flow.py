@@ -2,9 +2,9 @@
 
 Bending, clamps and floats make the tangent indefinite, so that single Newton increments may go anywhere. A step here is
 solved to its end: M (x - x0) / tau^2 = f(x) is where V + M (x - x0)^2 / (2 tau^2) is least near x0, so that the energy
-falls from step to step, whatever K is, while tau is short enough. It is the equation of motion with accelerations
-(x - x0) / tau^2, for which the engine has forces and matrix. tau grows while Newton's method finds the end of the step
-easily; a long step is Newton's method for the equilibrium itself.
+falls from step to step, whatever K is, while tau is short enough for M / tau^2 + K to be positive. It is the equation
+of motion with accelerations (x - x0) / tau^2, for which the engine has forces and matrix. tau grows while Newton's
+method finds the end of the step easily; a long step is Newton's method for the equilibrium itself.
 
 Where even the shortest step has no end, slack segments of a stiff line have shrunk to nothing: bending does not mind
 their length, and nothing else holds them.
@@ -13,8 +13,9 @@ their length, and nothing else holds them.
 from __future__ import annotations
 
 from moorage._jit import kernel
-from moorage._vec3 import get, put
-from moorage.layout import Weights, line_nodes, point_row
+from moorage._vec3 import get, put, sym_get
+from moorage.layout import CARRIER, FLEXIBLE, Weights, line_nodes, point_row
+from moorage.solve.line_solve import interior
 from moorage.solve.newton import assemble_island, largest_imbalance, shift, solve_island
 from moorage.solve.statics_kernel import place_at_rest, stop_island, work_done
 from moorage.system.attach import attach
@@ -42,6 +43,23 @@ def copy_positions(lines, islands, island, source, target):
 
 
 @kernel
+def is_positive(system, own, island):
+    """Whether the matrix of an island is positive in the nodes that were eliminated; own: inverses of their pivots."""
+    lines, islands = system.lines, system.islands
+    for m in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
+        line = islands.lines[m]
+        if system.riders.lines[line, CARRIER] != FLEXIBLE:
+            continue
+        begin, end = interior(lines, line)
+        for i in range(begin, end):
+            a, b, c, d, e, f = sym_get(own, i)
+            minor = a * d - b * b
+            if not (a > 0.0 and minor > 0.0 and f * minor + c * (b * e - c * d) - e * (a * e - b * c) > 0.0):
+                return False
+    return True
+
+
+@kernel
 def step_down(system, state, work, island, tau, reach, tolerance):
     """Take one implicit step from a state at rest; returns (whether its end was found, Newton iterations).
 
@@ -60,12 +78,12 @@ def step_down(system, state, work, island, tau, reach, tolerance):
             break
         solve_island(system, state, work, island, c)
         longest, _ = shift(system, state, work, island, 0.0, 0.0, 0.0)
-        if not longest < FARTHEST * reach:
+        if not longest < FARTHEST * reach or not is_positive(system, work.blocks.own, island):
             return False, iteration + 1
         if iteration == 0:
             assemble_island(system, state, state, work, island, c, 0.0)
             largest_imbalance(system, state, work, island, c)
-            if not work_done(system, work, island) > 0.0:  # uphill: the matrix is not positive
+            if not work_done(system, work, island) > 0.0:  # uphill
                 return False, 1
         shift(system, state, work, island, 1.0, 0.0, c.mass)
     return False, INNER
