@@ -74,9 +74,12 @@ def test_a_file_of_moordyn_is_read_written_and_run(deck, tmp_path):
     same = moorage.solve_statics(moorage.read(again))
     place = still["rod_position"].values[0]
     assert same["rod_position"].values[0] == pytest.approx(place, abs=0.01)  # the exact rule for the paper's
-    run = moorage.simulate(read, Motion.from_harmonics(2.0, heave=(0.5, 2.0)), duration=2.0)
+    assert np.abs(moorage.simulate(read, duration=0.1)["rod_moment"].values[0]).max() < 1e-6  # TmaxIC 0: as given
+    run = moorage.simulate(
+        read, start="static", motion=Motion.from_harmonics(8.0, ramp=4.0, heave=(0.5, 6.0)), duration=8.0
+    )
     assert np.abs(run["rod_position"].values[:, 0, 0] - place[0]).max() > 0.05
-    assert np.abs(run["rod_moment"].values).max() < 2.0  # N m, of 500 in each cable: what turns half segments
+    assert np.abs(run["rod_moment"].values).max() < 10.0  # N m, of 500 in each cable: what turns half segments
 
 
 @pytest.mark.parametrize("kind_", ["pinned", "coupled-pinned"])
