@@ -122,9 +122,11 @@ def _ways(built: Built, island: int, begin: State, hung: State, asked: float, ac
     ways = [(begin, relax_island, asked, QUICK)]
     if islands.joint_ptr[island + 1] > islands.joint_ptr[island]:
         ways.append((hung, relax_island, asked, QUICK))
-    if bends or islands.object_ptr[island + 1] > islands.object_ptr[island]:
-        ways.append((_off_plane(built, hung), flow_island, accepted, FLOW))
-    return ways if bends else [*ways, (hung, descend_island, accepted, ITERATIONS)]
+    descent = hung, descend_island, accepted, ITERATIONS
+    steps = _off_plane(built, hung), flow_island, accepted, FLOW
+    if islands.object_ptr[island + 1] > islands.object_ptr[island]:
+        return [*ways, steps, descent]
+    return [*ways, descent, steps] if bends else [*ways, descent]
 
 
 def _off_plane(built: Built, start: State) -> State:

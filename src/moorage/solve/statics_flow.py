@@ -24,7 +24,7 @@ from moorage.system.ride import begin_turning
 SHORTEST, LONGEST = 1e-5, 1e3  # of tau, s
 FARTHEST = 30.0  # an increment that is longer, in units of `reach`, ends a step
 INNER = 12  # Newton iterations of a step
-LEFT = 0.1  # of the imbalance at the start of a step, that its end may leave
+LEFT = 0.01  # of the imbalance at the start of a step, that its end may leave
 
 
 @kernel
@@ -72,7 +72,7 @@ def step_down(system, state, work, island, tau, reach, tolerance):
         force, _, _ = largest_imbalance(system, state, work, island, c)
         if iteration == 0:
             begin = force
-        elif force < max(0.5 * tolerance, LEFT * begin):
+        elif force < max(0.05 * tolerance, LEFT * begin):
             return True, iteration
         if iteration == INNER or not force < 1e299:
             break
