@@ -14,6 +14,39 @@ from moorage.system.build import Built
 VACUUM = {"gravity": 0.0, "water_density": 0.0}
 ROOT = (0.0, 0.0, 0.0)  # near the origin a small deflection keeps more of its digits
 
+# three cables at a joint that is KIND; the paper's rule
+JOINT = """three cables at a joint
+---------------------- LINE TYPES ----
+Name   Diam  MassDen  EA    BA/-zeta  EI   Cd  Ca  CdAx CaAx
+(-)    (m)   (kg/m)   (N)   (N-s/-)   (N-m2) (-) (-) (-) (-)
+cable  0.15  40       1e7   -0.8      5e3  1.2 1.0 0.1  0.0
+---------------------- ROD TYPES ----
+Name   Diam  MassDen  Cd  Ca  CdEnd CaEnd
+(-)    (m)   (kg/m)   (-) (-) (-)  (-)
+conn   0.1   0        0   0   0    0
+---------------------- RODS ----
+ID  RodType  Attachment  Xa  Ya  Za   Xb  Yb  Zb  NumSegs  RodOutputs
+(#) (name)   (#/key)     (m) (m) (m)  (m) (m) (m) (-)      (-)
+1   conn     KIND        0   0   -30  0   0   -30 0        p
+---------------------- POINTS ----
+ID  Type     X    Y   Z    M   V   CdA  CA
+(#) (-)      (m)  (m) (m)  (kg) (m3) (m2) (-)
+1   Fixed    -14  0   -22  0   0   0    0
+2   Coupled   12  6   -24  0   0   0    0
+3   Fixed    9   -9   -20  0   0   0    0
+---------------------- LINES ----
+ID  LineType AttachA AttachB UnstrLen NumSegs LineOutputs
+(#) (name)   (#)     (#)     (m)      (-)     (-)
+1   cable    1       R1A     18       9       -
+2   cable    R1B     2       17       8       -
+3   cable    R1B     3       17       7       -
+---------------------- OPTIONS ----
+60   WtrDpth
+0.0  TmaxIC
+1    disableOutput
+---------------------- need this line ----
+"""
+
 
 def beam(EI: Any, name: str = "beam", **properties: Any) -> LineType:
     """Return a line type that pushes as well as it pulls, and hardly stretches under what bends it by little."""

@@ -10,6 +10,7 @@ import xarray as xr
 from moorage.accept import accept
 from moorage.errors import InputError, ModelWarning, Problem, UnsupportedError
 from moorage.model import Model
+from moorage.model.cables import turns
 from moorage.results import make_index, run_attributes
 from moorage.results.modes import modes_dataset, platforms_dataset
 from moorage.solve.modes import modes_at_rest
@@ -70,8 +71,9 @@ def _refuse_pinned(model: Model) -> None:
     """Raise for what hangs from a coupled pin: the pin's force is not among those that stiffness is taken from."""
     coupled = {body.id for body in model.bodies if body.kind == "coupled"}
     pinned = [("body", b) for b in model.bodies if b.kind == "coupled-pinned"]
-    pinned += [("rod", r) for r in model.rods if r.segments and r.kind == "coupled-pinned"]  # type: ignore[misc]
-    pinned += [("rod", r) for r in model.rods if r.segments and r.kind == "pinned" and r.body in coupled]  # type: ignore[misc]
+    rods = [rod for rod in model.rods if rod.segments or turns(model, rod)]
+    pinned += [("rod", r) for r in rods if r.kind == "coupled-pinned"]  # type: ignore[misc]
+    pinned += [("rod", r) for r in rods if r.kind == "pinned" and r.body in coupled]  # type: ignore[misc]
     problems = [
         Problem(
             f"{kind} {thing.id} hangs from a coupled pin, whose stiffness is not computed",

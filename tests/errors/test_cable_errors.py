@@ -158,11 +158,6 @@ def joined(tmp_path):
 
 
 MOORDYN = {
-    "both on one end": (
-        ("R1B       R2B", "R1A       R2B"),
-        r"model.dat:12: cables 1 and 2 are both tied to end A of rod 1, so that one would fold back\n.*the other to end B",
-    ),
-    "both on the other end": (("1         R1A", "1         R1B"), r"model.dat:12: cables 1 and 2 are both tied to end B"),
     "clamp without direction": (("0    0    -11  0 ", "0    0    -10  0 "), r"model.dat:13: rod 2 .* has no direction"),
     "negative EI": (("-1.0       1e4", "-1.0       -1 "), r"model.dat:4: bending stiffness of line type cable must not be"),
     "table missing": (("-1.0       1e4", "-1.0       b.txt"), r"model.dat:4: table of EI of line type cable not found"),
@@ -217,6 +212,24 @@ def test_check_tells_a_clamp_that_the_first_guess_leaves_backwards(native):
     assert "line 1 leaves the rod that clamps its end B at about 1" in problem.message
     assert problem.source.file == str(path)
     assert moorage.backward_clamps(read(EXAMPLE)) == []
+
+
+FOLDED = {
+    "A": ("R1B       R2B", "R1A       R2B"),
+    "B": ("1         R1A", "1         R1B"),
+}
+
+
+@pytest.mark.parametrize("end", FOLDED)
+def test_two_cables_on_one_end_of_a_joint_are_worth_a_warning(joined, end):
+    message = f"model.dat:12: cables 1 and 2 are all tied to end {end} of rod 1(.|\\n)*one to end A and the other to end B"
+    with pytest.warns(ModelWarning, match=message):
+        moorage.simulate(read(joined(FOLDED[end])), start="as-given", duration=0.1)
+
+
+def test_too_few_segments_between_what_turns(joined):
+    with pytest.raises(ModelError, match=r"line 1 has too few segments: its end B is clamped(.|\n)*at least 2"):
+        read(joined(("80         40 ", "80         1  ")))
 
 
 def test_joints_on_the_right_ends_are_read(joined):

@@ -7,8 +7,8 @@ import pytest
 from moorage.errors import Source, UnsupportedError
 from moorage.io import read
 from moorage.model import (
-    Attachment,
     Control,
+    ExternalLoad,
     Rod,
     UnreadWater,
 )  # fmt: skip
@@ -37,12 +37,11 @@ def _around(**changes):
 
 PLACE = ((0.0, 0.0, -1.0), (0.0, 0.0, -2.0))
 CASES = {
-    "joints of more than two cables are": lambda m: dataclasses.replace(
+    "damping along a rod of no length is": lambda m: dataclasses.replace(
         m,
-        line_types=(dataclasses.replace(m.line_types[0], bending_stiffness=1e4),),
         rods=(Rod(id=1, rod_type="r", kind="free", end_a=PLACE[0], end_b=PLACE[1], segments=0, source=AT),),
-        lines=tuple(
-            dataclasses.replace(m.lines[0], id=k, end_b=Attachment("rod", 1, "A" if k == 1 else "B")) for k in (1, 2, 3)
+        external_loads=(
+            ExternalLoad(id=1, target="rod", target_id=1, local=True, linear_damping=(1.0, 1.0, 2.0), source=AT),
         ),
     ),
     "viscoelastic lines are": _with_type(viscoelastic=(1e8,)),

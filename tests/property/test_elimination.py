@@ -67,7 +67,7 @@ def topologies() -> dict[str, Model]:
         "clamped and free": of((m,), line(1, A, 4, ("cable", 10.0, 6)), line(2, 4, B, ("cable", 10.0, 3)), rods=(foot, top)),
         "joined cables": of((), line(1, A, held(j1, "A"), ("cable", 9.0, 5)), line(2, held(j1, "B"), B, ("cable", 10.0, 6)),
                             rods=(foot, top, j1)),
-        "joined, turned round": of((a, b), line(1, held(j1, "A"), 1, ("cable", 9.0, 4)), line(2, 2, held(j1, "A"), ("cable", 10.0, 4)),
+        "joined, turned round": of((a, b), line(1, held(j1, "A"), 1, ("cable", 9.0, 4)), line(2, 2, held(j1, "B"), ("cable", 10.0, 4)),
                                    rods=(j1,)),
         "two joints": of((a,), line(1, 1, held(j1, "A"), ("cable", 9.0, 3)), line(2, held(j2, "A"), held(j1, "B"), ("cable", 4.0, 4)),
                          line(3, held(j2, "B"), B, ("cable", 7.0, 3)), rods=(top, j1, j2)),

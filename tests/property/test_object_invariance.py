@@ -33,7 +33,8 @@ def on(id: int, carrier: int, *arm: float) -> Point:
 
 
 def model() -> Model:
-    """A buoy on three lines with a fin and a rod pinned to it, a free rod between lines, a pinned rod, a pinned body."""
+    """A buoy on three lines with a fin and a rod pinned to it, a free rod between lines, a pinned rod, a pinned body,
+    a joint of three cables and one of two."""
     buoy = body(
         1, position=(0.0, 0.0, -8.0), rotation=(0.1, 0.2, -0.4), mass=3e3, volume=7.0, inertia=(4e3, 5e3, 3e3),
         centre_of_gravity=(0.1, 0.05, -0.6), drag_area=(3.0, 2.0, 4.0, 9.0, 8.0, 7.0),
@@ -44,7 +45,7 @@ def model() -> Model:
     points = (
         fixed(1, 40.0, 5.0, -50.0), fixed(2, -18.0, -40.0, -50.0), fixed(3, -22.0, 33.0, -50.0),
         on(4, 1, 1.0, 0.2, -0.3), on(5, 1, -0.5, -1.0, -0.4), on(6, 1, -0.6, 0.9, -0.5), on(7, 2, 0.0, 0.0, 1.5),
-        free(8, 25.0, 4.0, -25.0, mass=60.0, volume=0.2, drag_area=0.3),
+        free(8, 25.0, 4.0, -25.0, mass=60.0, volume=0.2, drag_area=0.3), fixed(9, -40.0, 5.0, -50.0),
     )  # fmt: skip
     rods = (
         rod(1, "free", (-9.0, -22.0, -26.0), (-7.5, -19.0, -22.0), 3),
@@ -53,12 +54,14 @@ def model() -> Model:
         rod(4, "fixed", (-1.0, 0.3, 0.0), (-1.5, 0.4, -1.0), 0, body=1),
         rod(5, "pinned", (20.0, -20.0, -50.0), (20.3, -19.6, -46.0), 2),
         joint(6, -13.0, 12.0, -25.0),
+        joint(7, -20.0, 10.0, -33.0),
     )
     lines = (
         line(1, 1, 8, ("rope", 28.0, 4)), line(2, 8, 4, ("rope", 30.5, 4)), line(3, 2, held(rods[0], "A"), ("cable", 32.0, 5)),
         line(4, held(rods[0], "B"), 5, ("rope", 25.0, 4)), line(5, 7, held(rods[5], "A"), ("cable", 18.0, 4)),
         line(6, held(rods[5], "B"), held(rods[3], "B"), ("cable", 24.0, 5)), line(7, 3, 6, ("rope", 56.0, 5)),
-        line(8, held(rods[4], "B"), 4, ("rope", 52.0, 5)),
+        line(8, held(rods[4], "B"), 4, ("rope", 52.0, 5)), line(9, held(rods[6], "A"), 9, ("cable", 27.0, 5)),
+        line(10, held(rods[5], "A"), held(rods[6], "B"), ("cable", 13.0, 3)),
     )  # fmt: skip
     made = floating((buoy, stiff), rods, TYPE, (ROPE, CABLE), points=points, lines=lines)
     current = Current((-50.0, 0.0), ((0.1, 0.0, 0.0), (0.4, -0.2, 0.0)))
@@ -137,8 +140,16 @@ def test_axes_do_not_matter(plain, Q, shift):
 
 def test_numbering_does_not_matter(plain):
     original = model()
-    number = {("rod", 1): 16, ("rod", 2): 15, ("rod", 3): 12, ("rod", 4): 13, ("rod", 5): 14, ("rod", 6): 11}
-    order, rods = (3, 7, 0, 5, 1, 6, 4, 2), (5, 2, 0, 4, 1, 3)
+    number = {
+        ("rod", 1): 16,
+        ("rod", 2): 15,
+        ("rod", 3): 12,
+        ("rod", 4): 13,
+        ("rod", 5): 14,
+        ("rod", 6): 11,
+        ("rod", 7): 17,
+    }
+    order, rods = (3, 7, 9, 0, 5, 1, 6, 8, 4, 2), (5, 2, 0, 6, 4, 1, 3)
 
     def renamed(end: Attachment) -> Attachment:
         return dataclasses.replace(end, id=number.get((end.kind, end.id), end.id))

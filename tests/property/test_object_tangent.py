@@ -10,6 +10,8 @@ no part.
 
 from __future__ import annotations
 
+import dataclasses
+
 import numpy as np
 import pytest
 from dense import increments
@@ -49,6 +51,7 @@ def topologies() -> dict[str, Model]:
     fin = rod(4, "fixed", (0.0, -1.0, 0.0), (0.0, -3.0, 0.5), 2, body=1)
     stub = rod(5, "fixed", (-0.5, 0.0, 0.0), (-1.0, 0.0, 0.2), 0, body=1)
     j = joint(6, 12.0, 2.0, -15.0)
+    more = joint(7, 14.0, 4.0, -14.0), joint(8, 11.0, 6.0, -17.0)
     m = free(7, 4.0, 1.0, -17.0, mass=200.0, volume=0.1)
     spar = rod(1, "free", (6.0, 0.0, -5.0), (6.5, 0.4, 3.0), 4)
 
@@ -76,6 +79,20 @@ def topologies() -> dict[str, Model]:
         "cables joined between a body and a rod": of((hull,), (stick, stub, j), (a, b, *eyes), ropes[0],
                                                      line(2, held(stub, "B"), held(j, "A"), ("cable", 6.0, 4)),
                                                      line(3, held(j, "B"), B, ("cable", 5.0, 4))),
+        "joint of three cables": of((), (joint(6, 8.0, 2.0, -15.0),), (a, b, c), line(1, 1, held(j, "A"), ("cable", 9.0, 4)),
+                                    line(2, held(j, "B"), 2, ("cable", 9.0, 2)), line(3, 3, held(j, "B"), ("cable", 9.0, 3))),
+        "joint of three cables and a rope, between two more": of(
+            (), (j, *more), (a, b, c), line(1, 1, held(j, "A"), ("cable", 13.0, 3)), line(2, held(j, "B"), held(more[0], "A"), ("cable", 5.0, 3)),
+            line(3, held(j, "B"), held(more[1], "B"), ("cable", 6.0, 4)), line(4, held(more[0], "B"), 2, ("cable", 6.0, 3)),
+            line(5, held(more[0], "B"), 3, ("cable", 9.0, 3)), line(6, held(more[1], "A"), 3, ("cable", 9.0, 3)),
+            line(7, held(j, "A"), 3, ("rope", 12.0, 3))),
+        "pinned joint": of((), (dataclasses.replace(j, kind="pinned"),), (a, b), line(1, 1, held(j, "A"), ("cable", 13.0, 2)),
+                           line(2, held(j, "B"), 2, ("cable", 6.0, 4))),
+        "coupled-pinned joint": of((), (dataclasses.replace(j, kind="coupled-pinned"),), (a, b),
+                                   line(1, held(j, "A"), 1, ("cable", 13.0, 4)), line(2, held(j, "B"), 2, ("cable", 6.0, 4))),
+        "joint pinned to a free body": of((hull,), (dataclasses.replace(joint(6, 0.5, 0.2, 0.3), kind="pinned", body=1),),
+                                          (a, b, c, *eyes), ropes[0], line(2, held(j, "A"), 3, ("cable", 9.0, 4)),
+                                          line(3, held(j, "B"), 2, ("cable", 10.0, 4))),
         "one segment from body to body": of((hull, body(2, position=(11.0, 3.0, -13.0), **HULL)), (),
                                             (a, *eyes, on(7, 2, 0.3, 0.2, -0.8)), ropes[0], line(2, 5, 7, ("rope", 2.0, 1))),
         "spar through the surface": of((), (spar,), (a,), line(1, 1, A, ("rope", 17.0, 4))),

@@ -8,10 +8,11 @@ from math import acos, dist, pi, sin
 from typing import Literal
 
 from moorage.errors import Problem, Source
-from moorage.model.components import Attachment, BendStiffener, Curve, Line
+from moorage.model.components import Attachment, BendStiffener, Body, Curve, Line, Rod
 from moorage.model.model import Model
 
 BACKWARDS = 150.0 * pi / 180.0
+TURNING = ("free", "pinned", "coupled-pinned")  # kinds of what forces turn
 
 
 def bends(model: Model, line: Line, end: Literal["A", "B"]) -> bool:
@@ -36,33 +37,76 @@ def stiff_ends(model: Model, rod: int) -> list[tuple[Line, Literal["A", "B"]]]:
     return [(line, end) for line, end in tied if line.sections and bends(model, line, end)]
 
 
-def joints_are_joints(model: Model) -> Iterator[Problem]:
-    """A free rod of no length joins two cables, one at each of its ends."""
+def clamped_ends(model: Model, rod: int) -> list[tuple[Line, Literal["A", "B"]]]:
+    """Return the line ends with bending stiffness that are tied to a rod and not pinned there."""
+    return [(line, end) for line, end in stiff_ends(model, rod) if _spring(line, end) != 0.0]
+
+
+def _spring(line: Line, end: str) -> float | None:
+    return line.end_a_stiffness if end == "A" else line.end_b_stiffness
+
+
+def is_joint(rod: Rod) -> bool:
+    """Return whether a rod is an end of lines that has no direction of its own: the cables on it give it one."""
+    free = rod.kind == "free" and rod.body is None
+    return not rod.segments and (free or rod.kind in ("pinned", "coupled-pinned"))
+
+
+def is_hinge(model: Model, rod: Rod) -> bool:
+    """Return whether a free joint is nothing but the hinge between two cables, one clamped at each of its ends."""
+    ends = clamped_ends(model, rod.id)
+    sides = {line.end_a.end if end == "A" else line.end_b.end for line, end in ends}
+    springs = any(_spring(line, end) is not None for line, end in ends)
+    return rod.kind == "free" and len(ends) == len(sides) == 2 and not springs
+
+
+def turns(model: Model, rod: Rod) -> bool:
+    """Return whether a joint has a rotation of its own, in which the moments of the cables on it balance."""
+    return is_joint(rod) and len(clamped_ends(model, rod.id)) > 1 and not is_hinge(model, rod)
+
+
+def folded_joints(model: Model) -> Iterator[Problem]:
+    """Yield joints that all cables leave on the same side, so that one would fold back along the other."""
     for rod in model.rods:
-        if rod.kind != "free" or rod.segments or rod.body is not None:
-            continue
-        stiff = stiff_ends(model, rod.id)
-        sides = [line.end_a.end if end == "A" else line.end_b.end for line, end in stiff]
-        if len(stiff) == 2 and sides[0] == sides[1]:
-            ids = f"{stiff[0][0].id} and {stiff[1][0].id}"
-            message = f"cables {ids} are both tied to end {sides[0]} of rod {rod.id}, so that one would fold back"
-            yield Problem(message, "tie one to end A and the other to end B", rod.source)
-        for line, _ in stiff:
-            held = [e for e in (line.end_a, line.end_b) if e.kind == "rod" and is_joint(model, e.id)]
-            if len(stiff) == 2 and len(held) == 2 and line.segments < 3:
-                message = f"line {line.id} between two joints has {line.segments} segments"
-                yield Problem(message, "give it at least 3", line.source, line.segments)
+        ends = clamped_ends(model, rod.id)
+        sides = {line.end_a.end if end == "A" else line.end_b.end for line, end in ends}
+        if is_joint(rod) and len(ends) > 1 and len(sides) == 1:
+            ids = " and ".join(str(line.id) for line, _ in ends)
+            message = (
+                f"cables {ids} are all tied to end {sides.pop()} of rod {rod.id}, so that they leave it side by side"
+            )
+            yield Problem(message, "tie one to end A and the other to end B, if they should go on straight", rod.source)
 
 
-def is_joint(model: Model, rod: int) -> bool:
-    """Return whether a rod is free and has no length."""
-    return any(r.id == rod and r.kind == "free" and not r.segments and r.body is None for r in model.rods)
+def clamps_are_apart(model: Model) -> Iterator[Problem]:
+    """A cable has enough segments where joints, or clamps on what moves, reach to the node beside its end."""
+    for line in model.lines:
+        near = [end for end, hold in (("A", line.end_a), ("B", line.end_b)) if _reaches_in(model, line, end, hold)]
+        if near and line.segments < 1 + len(near):
+            what = "both its ends are clamped" if len(near) == 2 else f"its end {near[0]} is clamped"
+            message = f"line {line.id} has too few segments: {what} by what moves or turns"
+            yield Problem(message, f"give it at least {1 + len(near)}", line.source, line.segments)
+
+
+def _reaches_in(model: Model, line: Line, end: str, hold: Attachment) -> bool:
+    """Return whether the bending of an end reaches to the node beside it: it is clamped to what forces turn."""
+    rod = next((rod for rod in model.rods if hold.kind == "rod" and rod.id == hold.id), None)
+    if rod is None or not line.sections or _spring(line, end) == 0.0:
+        return False
+    if not bends(model, line, "A" if end == "A" else "B"):
+        return False
+    if is_joint(rod):
+        return len(clamped_ends(model, rod.id)) > 1
+    carrier: Rod | Body | None = rod
+    if rod.body is not None and rod.kind != "pinned":
+        carrier = next((body for body in model.bodies if body.id == rod.body), None)
+    return carrier is not None and carrier.kind in TURNING
 
 
 def directions_are_given(model: Model) -> Iterator[Problem]:
     """A rod of no length that clamps a cable has a direction."""
     for rod in model.rods:
-        if not rod.segments and not is_joint(model, rod.id) and rod.end_a == rod.end_b:
+        if not rod.segments and not is_joint(rod) and rod.end_a == rod.end_b:
             message = f"rod {rod.id} has no length and its ends coincide, so that it has no direction"
             yield Problem(message, "put end B where the rod should point to, seen from end A", rod.source)
 

@@ -17,9 +17,10 @@ from moorage.model.bed_checks import (
 )
 from moorage.model.bed_doubts import anchors_over_the_bed, points_off_the_grid, weak_friction
 from moorage.model.cables import (
+    clamps_are_apart,
     clamps_face_their_lines,
     directions_are_given,
-    joints_are_joints,
+    folded_joints,
     pinned_junctions,
     sections_are_graded_well,
     springs_are_possible,
@@ -68,8 +69,8 @@ def problems_of(model: Model) -> list[Problem]:
 def suspicious(model: Model) -> list[Problem]:
     """Return what can be run but is hardly meant."""
     doubts = (
-        pinned_junctions, weak_friction, points_off_the_grid, anchors_over_the_bed, steep_waves, doubtful_current,
-        doubtful_directions, turbines_at_one_place,
+        pinned_junctions, folded_joints, weak_friction, points_off_the_grid, anchors_over_the_bed, steep_waves,
+        doubtful_current, doubtful_directions, turbines_at_one_place,
     )  # fmt: skip
     model = placed(model)
     return [problem for doubt in doubts for problem in doubt(model)]
@@ -329,7 +330,7 @@ CHECKS: tuple[Check, ...] = (
     rods_have_length,
     directions_are_given,
     clamps_face_their_lines,
-    joints_are_joints,
+    clamps_are_apart,
     stiffeners_fit,
     springs_are_possible,
     sections_are_graded_well,
@@ -345,7 +346,7 @@ REFERRING: tuple[Check, ...] = (
     carriers_exist,
     listed_turbines_exist,
     clamps_face_their_lines,
-    joints_are_joints,
+    clamps_are_apart,
     free_points_are_held,
     events_name_what_exists,
     channels_exist,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 from moorage.errors import Problem, UnsupportedError
-from moorage.model.cables import stiff_ends
+from moorage.model.cables import is_joint
 from moorage.model.model import Model
 
 
@@ -21,11 +21,13 @@ def unbuilt(model: Model) -> list[Problem]:
     return [problem for feature in UNBUILT for problem in feature(model)]
 
 
-def _joints(model: Model) -> Iterator[Problem]:
-    for rod in model.rods:
-        if rod.kind == "free" and not rod.segments and len(stiff_ends(model, rod.id)) > 2:
-            message = f"rod {rod.id}: joints of more than two cables are not simulated yet"
-            yield Problem(message, "join two cables at a rod", rod.source)
+def _joint_damping(model: Model) -> Iterator[Problem]:
+    joints = {rod.id for rod in model.rods if is_joint(rod) and rod.kind == "free"}
+    for load in model.external_loads:
+        damped = any((*load.linear_damping, *load.quadratic_damping))
+        if load.target == "rod" and load.target_id in joints and load.local and damped:
+            message = f"external load {load.id}: damping along a rod of no length is not simulated yet"
+            yield Problem(message, "give it in global axes", load.source)
 
 
 def _viscoelastic(model: Model) -> Iterator[Problem]:
@@ -75,7 +77,7 @@ def _controls(model: Model) -> Iterator[Problem]:
 
 
 UNBUILT: tuple[Callable[[Model], Iterator[Problem]], ...] = (
-    _joints,
+    _joint_damping,
     _viscoelastic,
     _bending_damping,
     _syrope,

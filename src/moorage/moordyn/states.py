@@ -4,7 +4,8 @@ MoorDyn's binary layout, all little-endian: "MoorDyn", two bytes of version, the
 number of objects, then for each body, rod, point and line the numbers of rows and columns (integers) and the rows:
 position and velocity, zeros for what is not free. A line gives its inner nodes. Bodies and rods have one row of 13:
 position, quaternion (x, y, z, w; of a rod from where it is described), velocity, angular velocity; a pinned one has no
-position and velocity. Older files leave out what is not free.
+position and velocity. MoorDyn has no rotation for a rod of no length: where there is none, the cables on it turn it.
+Older files leave out what is not free.
 """
 
 from __future__ import annotations
@@ -23,9 +24,11 @@ from moorage.moordyn.handles import live, raising
 from moorage.moordyn.system import System
 from moorage.solve.statics import solve
 from moorage.system.build import Built
+from moorage.system.joints import turn_joints
 from moorage.system.objects import objects_of
 
 HEAD = b"MoorDyn" + bytes([2, 7])
+UNTURNED = (0.0, 0.0, 0.0, 1.0)  # quaternion
 
 
 @raising
@@ -125,6 +128,11 @@ def joint_row(built: Built, place: int) -> int:
     return int(built.system.lines.node_ptr[-1]) + holder if joins else -1
 
 
+def is_turned_joint(system: System, kind: str, place: int, o: int) -> bool:
+    """Return whether a thing is a rod of no length that cables turn."""
+    return kind == "rod" and o >= 0 and not system.model.rods[place].segments
+
+
 def described_turn(system: System, o: int) -> np.ndarray:
     """Return the rotation (3, 3) from which MoorDyn's file counts that of an object: of rods, as they are described."""
     kind, _ = system.built.names.objects[o]
@@ -161,6 +169,9 @@ def read_state(system: System, path: Path) -> None:
     for (where, free), part in zip(rows, parts[len(things) :], strict=True):
         if free:
             state.position[where], state.velocity[where] = part[:, :3], part[:, 3:]
+    joints = [part[0] for thing, part in zip(things, parts, strict=False) if is_turned_joint(system, *thing)]
+    if any(tuple(values[3:7]) == UNTURNED for values in joints):
+        turn_joints(system.built.system, state)
     state.stuck[...] = state.position
     system.set_state(state)
 

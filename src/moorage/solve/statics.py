@@ -2,26 +2,30 @@
 
 from __future__ import annotations
 
+import warnings
 from typing import NamedTuple
 
 import numpy as np
 
-from moorage.errors import ConvergenceError
+from moorage.errors import ConvergenceError, ModelWarning
 from moorage.layout import OF_OBJECTS, State, System, copy_of
 from moorage.physics.friction import ELASTIC, NONE, SOIL
 from moorage.physics.sea import no_sea
 from moorage.solve.implicit import stick_island
 from moorage.solve.places import place_name
+from moorage.solve.statics_flow import flow_island, imbalance
 from moorage.solve.statics_kernel import descend_island, place_at_rest, relax_island, stick_where_it_is
 from moorage.system.build import Built
 
-QUICK, ITERATIONS = 300, 2000  # of continuation, and then of descent
+OFF_PLANE = 1e-3  # how far nodes are moved, as a share of their segments
+QUICK, FLOW, ITERATIONS = 300, 6000, 2000  # of continuation, then of implicit steps, and of descent
 
 
 class Equilibrium(NamedTuple):
     """Verdict of a static solution."""
 
-    residual: float  # largest out-of-balance force on a node or free point, N
+    residual: float  # largest out-of-balance force on a node or free point, N; above the tolerance where a slack line
+    # pushes, of which a warning tells
     where: str  # and where that is
     iterations: int  # Newton iterations of all islands
     damped: int  # those of them that needed pseudo-transient continuation
@@ -64,21 +68,23 @@ def solve(built: Built, tolerance: float | None = None) -> Equilibrium:
     asked = natural_tolerance(built) if tolerance is None else tolerance
     accepted = max(asked, rounding(built))
     begin = copy_of(built.state)
+    hung = begin._replace(position=built.hung)
     system, laid = static_system(built.system), built.system.friction.laid
     islands = system.islands
-    worst, where, used, damped = 0.0, -1, 0, 0
+    worst, where, used, damped, pressed = 0.0, -1, 0, 0, []
     for island in range(len(islands.line_ptr) - 1):
-        reach = _reach(built, island)
-        force, row, n, d = relax_island(system, built.state, built.work, island, reach, asked, QUICK)
-        used, damped = used + n, damped + d
-        if not force < accepted and islands.joint_ptr[island + 1] > islands.joint_ptr[island]:
-            _put_back(built, island, begin._replace(position=built.hung))
-            force, row, n, d = relax_island(system, built.state, built.work, island, reach, asked, QUICK)
+        reach, force, row = _reach(built, island), 1e300, -1
+        for start, method, goal, iterations in _ways(built, island, begin, hung, asked, accepted):
+            if force < accepted:
+                break
+            _put_back(built, island, start)
+            force, row, n, d = method(system, built.state, built.work, island, reach, goal, iterations)
             used, damped = used + n, damped + d
-        if not force < accepted:
-            _put_back(built, island, begin._replace(position=built.hung))
-            force, row, n, d = descend_island(system, built.state, built.work, island, reach, accepted, ITERATIONS)
-            used, damped = used + n, damped + d
+        if not force < accepted and system.lines.bends[_lines(built, island)].any():
+            _put_back(built, island, _off_plane(built, hung))
+            force, row, n, pushes = _through_pushing(built, system, island, reach, accepted)
+            used, damped = used + n, damped + n
+            pressed += [island] if pushes else []
         if not force < accepted and system.current.velocity.any():
             _put_back(built, island, begin)
             force, row, n = _from_still_water(built, system, island, reach, accepted)
@@ -96,12 +102,90 @@ def solve(built: Built, tolerance: float | None = None) -> Equilibrium:
             "run settle",
             worst,
         )
+    for island in pressed:
+        force, row, _ = imbalance(system, built.state, built.work, island)
+        if force > worst:
+            worst, where = force, row
+    if pressed:
+        _warn_of_pushing(built)
     for island in range(len(islands.line_ptr) - 1):
         if laid:
             stick_island(system, built.state, built.state, built.work.load, island)
         else:
             stick_where_it_is(system.lines, system.islands, built.state, island)
     return Equilibrium(worst, place_name(built, where), used, damped, accepted)
+
+
+def _ways(built: Built, island: int, begin: State, hung: State, asked: float, accepted: float) -> list[tuple]:
+    """Return the ways to equilibrium to try in turn: start, method, tolerance (N) and iterations."""
+    islands, bends = built.system.islands, built.system.lines.bends[_lines(built, island)].any()
+    ways = [(begin, relax_island, asked, QUICK)]
+    if islands.joint_ptr[island + 1] > islands.joint_ptr[island]:
+        ways.append((hung, relax_island, asked, QUICK))
+    descent = hung, descend_island, accepted, ITERATIONS
+    steps = _off_plane(built, hung), flow_island, accepted, FLOW
+    if islands.object_ptr[island + 1] > islands.object_ptr[island]:
+        return [*ways, steps, descent]
+    return [*ways, descent, steps] if bends else [*ways, descent]
+
+
+def _off_plane(built: Built, start: State) -> State:
+    """Return a start with the nodes of stiff lines a little off where they are.
+
+    In the plane of its ends a line may stand on the edge of a loop, which nothing but chance can tip over.
+    """
+    system = built.system
+    bends, segments = system.lines.bends, np.diff(system.lines.node_ptr) - 1
+    length = np.repeat(bends, segments) * system.tension.length
+    nodes = np.delete(np.arange(system.lines.node_ptr[-1]), system.lines.node_ptr[1:] - 1)  # the first of each segment
+    position = start.position.copy()
+    position[nodes] += OFF_PLANE * length[:, None] * np.random.default_rng(0).uniform(-1.0, 1.0, (len(nodes), 3))
+    return start._replace(position=position)
+
+
+def _through_pushing(built: Built, system: System, island: int, reach: float, accepted: float):
+    """Find equilibrium from one in which stiff lines push.
+
+    A line that is slack and stiff pushes somewhere. Segments that go slack instead shrink to nothing there, so that
+    there may be no other equilibrium than the one in which they push; the state is left in it then.
+
+    Returns the largest imbalance (N), its row, the iterations, and whether lines push.
+    """
+    force, row, used, _ = flow_island(pushing(system), built.state, built.work, island, reach, accepted, FLOW)
+    if not force < accepted:
+        return force, row, used, False
+    pushed = copy_of(built.state)
+    slack, where, n, _ = flow_island(system, built.state, built.work, island, reach, accepted, FLOW)
+    if slack < accepted:
+        return slack, where, used + n, False
+    _put_back(built, island, pushed)
+    place_at_rest(system, built.state, built.work, island)  # turns the clamps back too
+    return force, row, used + n, True
+
+
+def pushing(system: System) -> System:
+    """Return a system whose lines push as well as they pull, if they bend."""
+    lines = system.lines
+    bends = np.repeat(lines.bends, np.diff(lines.node_ptr) - 1)
+    return system._replace(tension=system.tension._replace(slack=np.where(bends, -1e300, system.tension.slack)))
+
+
+def _warn_of_pushing(built: Built) -> None:
+    """Warn of the line that pushes most in a state in which segments that go slack are pressed together."""
+    system, ptr = built.system, built.names.segment_ptr
+    e = np.diff(built.state.position[: built.names.node_ptr[-1]], axis=0)
+    e = np.delete(e, built.names.node_ptr[1:-1] - 1, axis=0)
+    spring, length = system.tension.spring[: ptr[-1]], system.tension.length[: ptr[-1]]
+    push = np.where(system.tension.slack[: ptr[-1]] == 0.0, spring * (length - np.linalg.norm(e, axis=1)), 0.0)
+    push[~np.repeat(system.lines.bends[: len(ptr) - 1], np.diff(ptr))] = 0.0
+    line = int(np.searchsorted(ptr, int(np.argmax(push)), side="right")) - 1
+    warnings.warn(
+        f"line {built.names.lines[line]} is slack and stiff: in the static state found it pushes with {push.max():.3g} "
+        "N, which its segments do not do in a run. They go slack and may shrink: let its line type have "
+        "carries_compression: true",
+        ModelWarning,
+        stacklevel=3,
+    )
 
 
 def static_system(system: System) -> System:
@@ -150,10 +234,15 @@ def _put_back(built: Built, island: int, begin: State) -> None:
             target[rows] = source[rows]
 
 
+def _lines(built: Built, island: int) -> np.ndarray:
+    """Return the lines of an island, and its rods as rigid lines."""
+    islands = built.system.islands
+    return islands.lines[islands.line_ptr[island] : islands.line_ptr[island + 1]]
+
+
 def _reach(built: Built, island: int) -> float:
     """Longest increment of a position, m: where bending is stiff, a fifth of the shortest segment."""
-    islands, system = built.system.islands, built.system
+    system, lines = built.system, _lines(built, island)
     ptr = system.lines.node_ptr - np.arange(len(system.lines.node_ptr))
-    lines = islands.lines[islands.line_ptr[island] : islands.line_ptr[island + 1]]
     shortest = min((system.tension.length[ptr[k] : ptr[k + 1]].min() for k in lines), default=10.0)
     return 0.2 * shortest if built.system.lines.bends[lines].any() else shortest

@@ -48,11 +48,13 @@ def build_bending(model: Model, holders: Holders, segments, node_ptr, first_dire
             if stiffness[jj] <= 0.0 or hold.kind != "rod":
                 continue
             holder = holders.number[hold]
+            spring = line.end_a_stiffness if end == 0 else line.end_b_stiffness
+            if spring == 0.0:
+                continue
             if holder in holders.joints:
                 meeting.setdefault(holder, []).append((k, end))
                 continue
-            spring = line.end_a_stiffness if end == 0 else line.end_b_stiffness
-            if spring == 0.0 or not (hold in holders.directions or hold in holders.turning):
+            if not (hold in holders.directions or hold in holders.turning):
                 continue
             rule[k, end] = law
             before[node], after[node] = stiffness[jj], RIGID if spring is None else spring

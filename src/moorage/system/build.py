@@ -26,6 +26,7 @@ from moorage.layout import (
     rows_of,
 )
 from moorage.model import Attachment, Curve, Model, Motion
+from moorage.model.cables import is_joint
 from moorage.physics.morison import Morison
 from moorage.physics.motion import Tracks, no_tracks, spline_tracks
 from moorage.physics.point import PointLoads
@@ -37,6 +38,7 @@ from moorage.system.bed import build_contact, build_friction
 from moorage.system.bends import build_bending
 from moorage.system.guess import hang_chains, place_guess
 from moorage.system.holders import Holders, holders_of, release
+from moorage.system.joints import turn_joints
 from moorage.system.objects import Objects, build_rigid, rigid_rods, three, waterplanes
 from moorage.system.sea import build_current, build_sea
 from moorage.system.segments import NodeSum, segment_table
@@ -116,8 +118,9 @@ def build(
         The motion does not fit the model, or is shorter than `duration` (s).
     """
     env = model.environment
-    model = release(model, released)
     holders = holders_of(model, motion, duration, released)
+    rigid = build_rigid(model, holders.objects.things, _reach(holders))  # joints keep the inertia of what comes off
+    model = release(model, released)
     segments = segment_table(model)
     rods = rigid_rods(model)
     count = np.array([x.segments for x in model.lines] + [rod.segments for rod in rods], dtype=np.int64)
@@ -162,8 +165,8 @@ def build(
         morison=Morison(mass, wet_nodes, hydro),
         contact=build_contact(env, to_nodes(d * l), to_nodes(l)),
         friction=build_friction(model, to_nodes(d * l)),
-        points=_points(model, len(holders.rest)),
-        rigid=build_rigid(model, holders.objects.things, _reach(holders)),
+        points=_points(model, holders),
+        rigid=rigid,
         current=build_current(env.current),
         sea=build_sea(env.waves),
         tracks=_tracks(motion, holders, clamps + axes),
@@ -172,6 +175,7 @@ def build(
     place_objects(holders.objects, riders, state)
     weight = env.gravity * (m - env.water_density * segments["area"])
     place_guess(model, system, state, l, weight)
+    turn_joints(system, state)
     arcs = [np.concatenate([[0.0], np.cumsum(part)]) for part in np.split(l, np.cumsum(count)[:-1])] if len(l) else []
     arc = np.concatenate([*arcs, np.zeros(0)])
     n = len(model.lines)
@@ -337,9 +341,9 @@ def _tension(l, segments) -> Tension:
     )
 
 
-def _points(model: Model, count: int) -> PointLoads:
-    """Loads of the points by themselves; the holders after them, ends of rods, have none."""
-    env = model.environment
+def _points(model: Model, holders: Holders) -> PointLoads:
+    """Loads of the points by themselves; of the holders after them, only joints have given loads."""
+    env, count = model.environment, len(holders.rest)
 
     def column(values):
         out = np.zeros(count)
@@ -350,10 +354,11 @@ def _points(model: Model, count: int) -> PointLoads:
     volume = column([p.volume for p in model.points])
     given = np.zeros((count, 3, 3))
     given[: len(model.points), 0] = np.array([p.external_force for p in model.points], dtype=float).reshape(-1, 3)
-    place = {point.id: k for k, point in enumerate(model.points)}
+    place = {("point", point.id): k for k, point in enumerate(model.points)}
+    place |= {("rod", rod.id): holders.number[Attachment("rod", rod.id, "A")] for rod in model.rods if is_joint(rod)}
     for load in model.external_loads:
-        if load.target == "point":
-            given[place[load.target_id]] += [
+        if (at := place.get((load.target, load.target_id))) is not None:
+            given[at] += [
                 load.force, three(load.linear_damping), three(load.quadratic_damping),
             ]  # fmt: skip
     return PointLoads(

@@ -26,7 +26,7 @@ class Holders(NamedTuple):
     coupled: np.ndarray  # (holders,) bool: moved by a motion
     moved: dict[int, np.ndarray]  # holder: (n, 3) positions at the times of the motion
     directions: dict[Attachment, np.ndarray]  # clamps: (3,) or (n, 3), the direction into the line
-    joints: tuple[int, ...]  # holders that are free rods of no length
+    joints: tuple[int, ...]  # holders that are free rods of no length, without a rotation of their own
     objects: Objects
     of_point: np.ndarray  # (holders,) object that it rides on, -1
     arm: np.ndarray  # (holders, 3) in the object's axes, m
@@ -98,7 +98,9 @@ def holders_of(
         length = float(np.linalg.norm(np.subtract(rod.end_b, rod.end_a)))
         axis = np.array(rod.direction)
         if own is not None:
-            number[end_a], number[end_b] = ride(own, np.zeros(3)), ride(own, np.array([length, 0.0, 0.0]))
+            number[end_a] = number[end_b] = ride(own, np.zeros(3))
+            if rod.segments:
+                number[end_b] = ride(own, np.array([length, 0.0, 0.0]))
             turning[end_a], turning[end_b] = (own, np.array([-1.0, 0.0, 0.0])), (own, np.array([1.0, 0.0, 0.0]))
             continue
         if carrier is not None:

@@ -1,6 +1,7 @@
 """Rods and bodies that forces move: what they are, where they start, and what they weigh.
 
-A rod's first axis points from its end A to end B, its reference point is end A; a body has the axes of the file.
+A rod's first axis points from its end A to end B, its reference point is end A; a body has the axes of the file. A
+joint that cables turn (see `system.joints`) is a rod without nodes.
 """
 
 from __future__ import annotations
@@ -10,6 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from moorage.model import Body, Environment, Model, Rod
+from moorage.model.cables import clamped_ends, turns
 from moorage.model.motion import rotation_matrices
 from moorage.physics import rigid
 
@@ -27,7 +29,7 @@ class Objects(NamedTuple):
 
 
 def moves(thing: Rod | Body) -> bool:
-    """Return whether forces move a rod or a body; rods of no length are only ends of lines."""
+    """Return whether forces move a rod with a length, or a body."""
     if isinstance(thing, Body):
         return thing.kind in MOVING
     return bool(thing.segments) and thing.kind in MOVING and not (thing.kind == "free" and thing.body is not None)
@@ -36,7 +38,7 @@ def moves(thing: Rod | Body) -> bool:
 def objects_of(model: Model) -> Objects:
     """List the objects of a model."""
     every: tuple[Rod | Body, ...] = (*model.rods, *model.bodies)
-    things = [thing for thing in every if moves(thing)]
+    things = [thing for thing in every if moves(thing) or (isinstance(thing, Rod) and turns(model, thing))]
     names = [("rod" if isinstance(thing, Rod) else "body", thing.id) for thing in things]
     frames = [_frame(model, thing) for thing in things]
     return Objects(
@@ -99,6 +101,23 @@ def beyond_nodes(model: Model, rod: Rod, axis: np.ndarray) -> np.ndarray:
     return across * (np.eye(3) - along) + mass * d**2 / 8.0 * along
 
 
+def joint_inertia(model: Model, rod: Rod) -> tuple[float, float]:
+    """Return the inertia of a joint across its direction, kg m2, and the length that makes a distance of an angle, m.
+
+    A joint has no mass. What turns with it are the halves of the segments that it clamps, whose mass is lumped in their
+    end nodes: m (l / 2)^3 / 3 each, with the water that they take along. So a joint is as quick as the shortest waves
+    in its cables, and the inertia vanishes with the segments.
+    """
+    inertia, lengths = 0.0, []
+    for line, end in clamped_ends(model, rod.id):
+        section = line.sections[0 if end == "A" else -1]
+        kind, length = model.line_type(section.line_type), section.segment_lengths[0 if end == "A" else -1]
+        water = model.environment.water_density * np.pi / 4.0 * kind.diameter**2 * kind.transverse_added_mass
+        inertia += (kind.mass_per_length + water) * length**3 / 24.0
+        lengths.append(length)
+    return inertia, float(min(lengths))
+
+
 def build_rigid(model: Model, things: list[Rod | Body], reach: np.ndarray) -> rigid.RigidLoads:
     """Return the loads of rods and bodies by themselves; reach: the longest arms (m) on them, which give their size."""
     env, n = model.environment, len(things)
@@ -106,6 +125,10 @@ def build_rigid(model: Model, things: list[Rod | Body], reach: np.ndarray) -> ri
     p[:, rigid.RADIUS] = 1e-3
     for o, thing in enumerate(things):
         inertia = np.zeros((3, 3))
+        if isinstance(thing, Rod) and not thing.segments:
+            p[o, rigid.SLENDER], turn, p[o, rigid.SIZE] = 1.0, *joint_inertia(model, thing)
+            p[o, rigid.INERTIA :] = np.diag([0.0, turn, turn]).ravel()
+            continue
         if isinstance(thing, Rod):
             p[o, rigid.SLENDER] = 1.0
             inertia += beyond_nodes(model, thing, np.array([1.0, 0.0, 0.0]))
