@@ -10,6 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from moorage.model import Body, Environment, Model, Rod
+from moorage.model.inertia import lent_inertia
 from moorage.model.motion import rotation_matrices
 from moorage.physics import rigid
 
@@ -105,7 +106,7 @@ def build_rigid(model: Model, things: list[Rod | Body], reach: np.ndarray) -> ri
     p = np.zeros((n, rigid.COLUMNS))
     p[:, rigid.RADIUS] = 1e-3
     for o, thing in enumerate(things):
-        inertia = np.zeros((3, 3))
+        inertia = lent_inertia(model, thing)
         if isinstance(thing, Rod):
             p[o, rigid.SLENDER] = 1.0
             inertia += beyond_nodes(model, thing, np.array([1.0, 0.0, 0.0]))
