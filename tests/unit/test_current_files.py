@@ -254,7 +254,7 @@ def test_moordyn_error(deck, tmp_path, name):
 def test_grid_that_is_too_small_for_the_model(deck, tmp_path):
     """As in MoorDyn, whose own tests have one, the edge goes on; a native file is refused (`elsewhere`)."""
     model = deck_with(deck, tmp_path, 5, GRID.replace("-999", "-800"))
-    (problem,) = doubtful_current(model)
+    problem = doubtful_current(model)[0]
     assert "does not cover the model in x by 37.6 m (grid -800 to 999 m, model -837" in str(problem)
     assert model.environment.current.at(3.0, (-837.0, -999.0, -20.0)) == pytest.approx([0.05, 0.0, 0.01])
 

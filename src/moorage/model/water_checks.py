@@ -64,7 +64,8 @@ def _short_grid(model: Model, current: CurrentGrid) -> Iterator[Problem]:
             short.append(f"{name} by {gap:.4g} m ({span})")
     if short:
         what = f"the grid of the current does not cover the model in {', in '.join(short)}"
-        yield Problem(what, "give velocities as far as the model reaches; beyond, those at the edge hold", current.source)
+        remedy = "give velocities as far as the model reaches; beyond, those at the edge hold"
+        yield Problem(what, remedy, current.source)
 
 
 def waves_are_given_once(model: Model) -> Iterator[Problem]:
