@@ -9,7 +9,7 @@ import numpy as np
 from moorage.errors import InputError, ModelError, ModelWarning, Problem
 from moorage.model import Model
 from moorage.model.checks import check, suspicious
-from moorage.model.inertia import objects_have_inertia
+from moorage.model.inertia import lendings, objects_have_inertia
 from moorage.model.turbines import placed, turbines_have_places
 from moorage.model.unbuilt import refuse_unbuilt
 
@@ -29,7 +29,7 @@ def accept(model: Model) -> Model:
     if model.unused_options:
         names = ", ".join(option.name for option in model.unused_options)
         warnings.warn(f"{model.file}: options that are not used here: {names}", ModelWarning, stacklevel=3)
-    for problem in suspicious(model):
+    for problem in (*suspicious(model), *lendings(model)):
         warnings.warn(str(problem), ModelWarning, stacklevel=3)
     return placed(model)
 

@@ -4,16 +4,17 @@ from __future__ import annotations
 
 import dataclasses
 
+import numpy as np
 import pytest
 from floats import AIR, SPAR, WATER, body, floating, rod
 from moorings import fixed, held, kind, line
 
 from moorage.accept import accept
-from moorage.errors import ModelError, Source
+from moorage.errors import ModelError, ModelWarning, Source
 from moorage.io import read
 from moorage.model import Attachment, Failure, Model, Point, RodType
 from moorage.model.checks import check
-from moorage.model.inertia import objects_have_inertia
+from moorage.model.inertia import lent_inertia, objects_have_inertia
 
 AT = Source("model.dat", 12)
 WEIGHTLESS = RodType(name="spar", diameter=0.4, mass_per_length=0.0)
@@ -26,43 +27,29 @@ def on(id: int, *arm: float, **properties) -> Point:
 
 
 def tied(model: Model, end: Attachment) -> Model:
-    """The model with a line from a fixed point to an end."""
+    """The model with a line from a fixed point to an end, where half a segment weighs 10 kg."""
     return dataclasses.replace(
         model,
-        line_types=(kind(),),
+        line_types=(kind(mass_per_length=4.0),),
         points=(*model.points, fixed(9, 0.0, 0.0, -60.0)),
         lines=(line(1, 9, end, ("rope", 15.0, 3)),),
     )
 
 
 LACKING = {
-    "a body of nothing": (floating((body(**NOTHING),)), "body 1 is free, and can move without mass"),
-    "a mass that is a point": (
-        floating((body(**NOTHING | {"mass": 10.0}),)), "body 1 is free, and can turn without inertia about"),
-    "inertia about two axes": (
-        floating((body(**NOTHING | {"mass": 10.0, "inertia": (1.0, 0.0, 2.0)}),)), "turn without inertia about y of the body"),
-    "two points on an axis": (
-        floating((body(**NOTHING),), points=(on(1, 0.0, -10.0, 2.0, mass=20.0), on(2, 0.0, -10.0, -2.0, mass=20.0))),
-        "turn without inertia about z of the body"),
-    "a pinned body": (floating((body(kind="pinned", **NOTHING | {"mass": 10.0}),)), "body 1 is pinned, and can turn"),
-    "mass on the axis of a pinned body": (
-        floating((body(kind="coupled-pinned", **NOTHING | {"mass": 10.0, "centre_of_gravity": (0.0, 0.0, 1.0)}),)),
-        "body 1 is coupled-pinned, and can turn without inertia about z of the body"),
+    "a body of nothing": (floating((body(**NOTHING),)), "body 1 is free, and can move without mass along x, y and z"),
+    "a body whose water goes with it one way": (
+        floating((body(**NOTHING | {"volume": 1.0, "added_mass": (1, 0, 0, 1, 1, 1)}),)), "move without mass along y and z"),
+    "a pinned body of nothing": (floating((body(kind="pinned", **NOTHING),)), "body 1 is pinned, and can turn"),
     "a pinned rod without mass": (
         floating(rods=(rod(1, "pinned", *ENDS, source=AT),), types=WEIGHTLESS), "rod 1 is pinned, and can turn without inertia"),
     "a free rod without mass": (
         floating(rods=(rod(1, "free", *ENDS, source=AT),), types=WEIGHTLESS), "rod 1 is free, and can move without mass"),
-    "a free rod without mass on one line": (
-        tied(floating(rods=(rod(1, "free", *ENDS, source=AT),), types=WEIGHTLESS), Attachment("rod", 1, "A")),
-        "rod 1 is free, and can turn without inertia"),
-    "a pinned rod without mass, its line at the pin": (
-        tied(floating(rods=(rod(1, "pinned", *ENDS, source=AT),), types=WEIGHTLESS), Attachment("rod", 1, "A")),
-        "rod 1 is pinned, and can turn without inertia"),
 }  # fmt: skip
 
 
 @pytest.mark.parametrize("name", LACKING)
-def test_what_moves_has_inertia(name):
+def test_what_moves_has_mass(name):
     model, message = LACKING[name]
     with pytest.raises(ModelError) as caught:
         accept(model)
@@ -70,6 +57,48 @@ def test_what_moves_has_inertia(name):
     assert message in str(caught.value)
     assert "or hold it (fixed, coupled)" in str(caught.value)
     assert len(caught.value.problems) == 1
+
+
+BALL = 0.4 * 10.0 * (0.75 * 10.0 / (1000.0 * np.pi)) ** (2.0 / 3.0)  # of 10 kg of water, kg m2
+LENT = {
+    "a mass that is a point": (
+        floating((body(**NOTHING | {"mass": 10.0}),)), "body 1 is free, and can turn without inertia about x, y and z", (1, 1, 1)),
+    "inertia about two axes": (
+        floating((body(**NOTHING | {"mass": 10.0, "inertia": (1.0, 0.0, 2.0)}),)), "turn without inertia about y of the body",
+        (0, 1, 0)),
+    "two points on an axis": (
+        floating((body(**NOTHING),), points=(on(1, 0.0, -10.0, 2.0, mass=5.0), on(2, 0.0, -10.0, -2.0, mass=5.0))),
+        "turn without inertia about z of the body", (0, 0, 1)),
+    "a pinned body": (
+        floating((body(kind="pinned", **NOTHING | {"mass": 10.0}),)), "body 1 is pinned, and can turn", (1, 1, 1)),
+    "mass on the axis of a pinned body": (
+        floating((body(kind="coupled-pinned", **NOTHING | {"mass": 10.0, "centre_of_gravity": (0.0, 0.0, 1.0)}),)),
+        "body 1 is coupled-pinned, and can turn without inertia about z of the body", (0, 0, 1)),
+    "a body that only water goes with": (
+        floating((body(**NOTHING | {"volume": 0.01, "added_mass": (1, 1, 1, 0, 0, 0)}),), environment={"water_density": 1000.0, "water_depth": 100.0}),
+        "turn without inertia about x, y and z", (1, 1, 1)),
+    "a free rod without mass on one line": (
+        tied(floating(rods=(rod(1, "free", *ENDS, source=AT),), types=WEIGHTLESS), Attachment("rod", 1, "A")),
+        "rod 1 is free, and can turn without inertia about y and z of the rod", (0, 1, 1)),
+    "a pinned rod without mass, its line at the pin": (
+        tied(floating(rods=(rod(1, "pinned", *ENDS, source=AT),), types=WEIGHTLESS), Attachment("rod", 1, "A")),
+        "rod 1 is pinned, and can turn without inertia", (0, 1, 1)),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", LENT)
+def test_axes_without_inertia_are_lent_some(name):
+    """The warning names body, axis, what is lent and the cure; 10 kg move in all cases."""
+    model, message, axes = LENT[name]
+    with pytest.warns(ModelWarning) as caught:
+        accept(model)
+    (text,) = (str(warning.message) for warning in caught if "inertia" in str(warning.message))
+    assert text.startswith("model.dat:12: ")
+    assert message in text
+    assert f"it is lent {BALL:.2g} kg m2 there" in text
+    assert "give it inertia (I) there" in text
+    (thing,) = (*model.bodies, *model.rods)
+    np.testing.assert_allclose(lent_inertia(model, thing), np.diag(axes) * BALL, atol=1e-9)
 
 
 HELD = {

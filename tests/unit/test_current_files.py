@@ -13,6 +13,7 @@ from moorage.errors import ModelError, ModelWarning, UnsupportedError
 from moorage.io import convert, read
 from moorage.model import Current, CurrentGrid
 from moorage.model.unbuilt import refuse_unbuilt
+from moorage.model.water_checks import doubtful_current
 from moorage.results import warn_of_short_current
 
 
@@ -239,7 +240,6 @@ MOORDYN = {
     "counts": (5, GRID.replace("2 2 2 1", "2 3 2 1"), r"4d.txt:1: grid of the current has 2 in x, 2 in y, 2 in z, 1 in t"),
     "a point elsewhere": (5, GRID.replace("-999 999 0 0", "-999 998 0 0"), r"4d.txt:9: row .* not a point of the grid"),
     "a point missing": (5, "\n".join(GRID.split("\n")[:-2]) + "\n", "current is missing at 1 of 8 points"),
-    "too small": (5, GRID.replace("-999", "-800"), r"does not cover the model in x by 37.6 m \(grid -800 to 999 m, model -837"),
 }  # fmt: skip
 
 
@@ -249,6 +249,14 @@ def test_moordyn_error(deck, tmp_path, name):
     with pytest.raises(ModelError, match=message) as raised:
         deck_with(deck, tmp_path, mode, text)
     assert len(raised.value.problems) == 1
+
+
+def test_grid_that_is_too_small_for_the_model(deck, tmp_path):
+    """As in MoorDyn, whose own tests have one, the edge goes on; a native file is refused (`elsewhere`)."""
+    model = deck_with(deck, tmp_path, 5, GRID.replace("-999", "-800"))
+    problem = doubtful_current(model)[0]
+    assert "does not cover the model in x by 37.6 m (grid -800 to 999 m, model -837" in str(problem)
+    assert model.environment.current.at(3.0, (-837.0, -999.0, -20.0)) == pytest.approx([0.05, 0.0, 0.01])
 
 
 @pytest.mark.parametrize("mode", [3, 4])

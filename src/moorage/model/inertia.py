@@ -1,4 +1,8 @@
-"""Check that everything that forces move has inertia in all the ways in which it can move."""
+"""Inertia of everything that forces move, in all the ways in which it can move.
+
+A body may be a mass at a point, or be put together of points on one axis. It turns about such an axis without inertia,
+and nothing turns it there. It is lent the inertia of a ball of water of the mass that moves with it.
+"""
 
 from __future__ import annotations
 
@@ -11,47 +15,99 @@ from moorage.model.components import Attachment, Body, Rod
 from moorage.model.model import Model
 
 LEAST = 1e-10  # of the largest inertia: less is rounding
+WATER = 1000.0  # kg/m3, of the ball
 KINDS = ("free", "pinned", "coupled-pinned")
-WAYS = ("along x", "along y", "along z", "about x", "about y", "about z")
+REMEDY = "or let it carry what has mass off that axis, or hold it (fixed, coupled)"
 
 
 def objects_have_inertia(model: Model) -> Iterator[Problem]:
-    """Rods and bodies that move have mass, and inertia about every axis about which they can turn."""
+    """Rods and bodies that move have mass."""
+    for thing, M in _moving(model):
+        still = _nothing_in(M[:3, :3]) if thing.kind == "free" else np.zeros((0, 3))
+        axes = _axes(M, thing)
+        what = ""
+        if len(still):
+            what = f"move without mass along {_way(still)}"
+        elif len(axes) and not _mass(M):
+            what = f"turn without inertia about {_way(axes)}"
+        if what:
+            yield Problem(f"{_can(thing)} {what} of {_own(thing)}", f"give it mass, {REMEDY}", thing.source)
+
+
+def lendings(model: Model) -> Iterator[Problem]:
+    """Say to which rods and bodies inertia is lent."""
+    for thing, M in _moving(model):
+        axes = _axes(M, thing)
+        if len(axes):
+            lent = f"it is lent {_ball(_mass(M)):.2g} kg m2 there, those of a ball of water of {_mass(M):.3g} kg"
+            message = f"{_can(thing)} turn without inertia about {_way(axes)} of {_own(thing)}: {lent}"
+            yield Problem(message, f"give it inertia (I) there, {REMEDY}", thing.source)
+
+
+def lent_inertia(model: Model, thing: Rod | Body) -> np.ndarray:
+    """Return the inertia (3, 3), kg m2, lent to a rod or body that moves, in its own axes; zeros for none."""
+    M = _inertia(model, thing)
+    axes = _axes(M, thing)
+    return _ball(_mass(M)) * axes.T @ axes
+
+
+def _ball(mass: float) -> float:
+    """Return the inertia of a ball of water of a mass: 2/5 m r^2."""
+    return float(0.4 * mass * (0.75 * mass / (np.pi * WATER)) ** (2.0 / 3.0))
+
+
+def _mass(M: np.ndarray) -> float:
+    """Return the mean over the directions of the mass that moves, kg."""
+    return float(np.trace(M[:3, :3]) / 3.0)
+
+
+def _axes(M: np.ndarray, thing: Rod | Body) -> np.ndarray:
+    """Return orthogonal unit vectors (k, 3), the axes about which a thing turns without inertia."""
+    ways = np.arange(0 if thing.kind == "free" else 3, 6)
+    if isinstance(thing, Rod):
+        ways = ways[ways != 3]  # a rod does not spin about its axis
+    motions = np.zeros((6, 6))
+    still = _nothing_in(M[np.ix_(ways, ways)])
+    motions[: len(still), ways] = still
+    _, size, axes = np.linalg.svd(motions[:, 3:])
+    return axes[size > 1e-6]
+
+
+def _nothing_in(M: np.ndarray) -> np.ndarray:
+    """Return the directions (k, n) in which a symmetric matrix has nothing."""
+    values, vectors = np.linalg.eigh(M)
+    return vectors.T[values <= LEAST * max(values[-1], 1e-300)]
+
+
+def _way(directions: np.ndarray) -> str:
+    """Name the main axes of some directions (k, 3)."""
+    if len(directions) == 3:
+        return "x, y and z"
+    return " and ".join(sorted({"xyz"[np.argmax(np.abs(direction))] for direction in directions}))
+
+
+def _can(thing: Rod | Body) -> str:
+    return f"{'body' if isinstance(thing, Body) else 'rod'} {thing.id} is {thing.kind}, and can"
+
+
+def _own(thing: Rod | Body) -> str:
+    return "the body" if isinstance(thing, Body) else "the rod, whose x is along it"
+
+
+def _moving(model: Model) -> list[tuple[Rod | Body, np.ndarray]]:
+    """Return the rods and bodies that forces move, with their inertia (6, 6); none while names or lengths are wrong."""
+    every: tuple[Rod | Body, ...] = (*model.rods, *model.bodies)
+    things = [thing for thing in every if thing.kind in KINDS and (isinstance(thing, Body) or _has_length(thing))]
     try:
-        every: tuple[Rod | Body, ...] = (*model.rods, *model.bodies)
-        moving = [thing for thing in every if thing.kind in KINDS and (isinstance(thing, Body) or _has_length(thing))]
-        inertia = [_body(model, thing) if isinstance(thing, Body) else _rod(model, thing) for thing in moving]
+        found = [(thing, _inertia(model, thing)) for thing in things]
     except (StopIteration, KeyError, ZeroDivisionError):
-        return  # names or lengths are wrong, which others say
-    for thing, M in zip(moving, inertia, strict=True):
-        name = f"{'body' if isinstance(thing, Body) else 'rod'} {thing.id}"
-        if not np.isfinite(M).all():
-            continue
-        free = np.arange(0 if thing.kind == "free" else 3, 6)
-        if isinstance(thing, Rod):
-            free = free[free != 3]  # a rod does not spin about its axis
-        way = _without_inertia(M, free)
-        if way is None:
-            continue
-        what = "move without mass" if way < 3 else "turn without inertia"
-        own = "the body" if isinstance(thing, Body) else "the rod, whose x is along it"
-        remedy = "give it inertia (I) there" if isinstance(thing, Body) and way >= 3 else "give it mass"
-        yield Problem(
-            f"{name} is {thing.kind}, and can {what} {WAYS[way]} of {own}",
-            f"{remedy}, or let it carry what has mass off that axis, or hold it (fixed, coupled)",
-            thing.source,
-        )
+        return []  # which other checks say
+    return [(thing, M) for thing, M in found if np.isfinite(M).all()]
 
 
-def _without_inertia(M: np.ndarray, free: np.ndarray) -> int | None:
-    """Return the main way of a motion without inertia (rotation, where it turns), None where there is none."""
-    values, vectors = np.linalg.eigh(M[np.ix_(free, free)])
-    if values[0] > LEAST * max(values[-1], 1e-300):
-        return None
-    motion = np.zeros(6)
-    motion[free] = vectors[:, 0]
-    turns = np.abs(motion[3:]).max() > 1e-6
-    return int(3 + np.argmax(np.abs(motion[3:])) if turns else np.argmax(np.abs(motion)))
+def _inertia(model: Model, thing: Rod | Body) -> np.ndarray:
+    """Return the inertia (6, 6) of a rod or body and what it carries, in its own axes about its reference point."""
+    return _body(model, thing) if isinstance(thing, Body) else _rod(model, thing)
 
 
 def _has_length(rod: Rod) -> bool:

@@ -43,6 +43,12 @@ def _grid_of_current(model: Model, current: CurrentGrid) -> Iterator[Problem]:
             what = {"t": "times", "z": "levels"}.get(name, name)
             yield Problem(f"{what} of the current do not increase", "sort them, each once", current.source, axis)
             return
+    if not model.flavour.startswith("MoorDyn"):
+        yield from _short_grid(model, current)
+
+
+def _short_grid(model: Model, current: CurrentGrid) -> Iterator[Problem]:
+    """A grid reaches as far as the model; MoorDyn lets its edges go on, which is a doubt in files of MoorDyn."""
     held = [point.position for point in model.points if point.body is None]
     if not held:
         return
@@ -58,7 +64,8 @@ def _grid_of_current(model: Model, current: CurrentGrid) -> Iterator[Problem]:
             short.append(f"{name} by {gap:.4g} m ({span})")
     if short:
         what = f"the grid of the current does not cover the model in {', in '.join(short)}"
-        yield Problem(what, "give velocities as far as the model reaches", current.source)
+        remedy = "give velocities as far as the model reaches; beyond, those at the edge hold"
+        yield Problem(what, remedy, current.source)
 
 
 def waves_are_given_once(model: Model) -> Iterator[Problem]:
@@ -148,6 +155,8 @@ def doubtful_current(model: Model) -> list[Problem]:
         what = f"the current has a level {max(current.z):g} m above the water"
         doubts.append(Problem(what, "levels are z: negative below the water", current.source))
     if isinstance(current, CurrentGrid):
+        if model.flavour.startswith("MoorDyn"):
+            doubts += _short_grid(model, current)
         if current.t[0] > 0.0:
             what = f"the current begins at {current.t[0]:g} s; before, its first values hold"
             doubts.append(Problem(what, "give values from time 0 s", current.source))

@@ -12,6 +12,7 @@ import numpy as np
 
 from moorage.model import Body, Environment, Model, Rod
 from moorage.model.cables import clamped_ends, turns
+from moorage.model.inertia import lent_inertia
 from moorage.model.motion import rotation_matrices
 from moorage.physics import rigid
 
@@ -124,11 +125,11 @@ def build_rigid(model: Model, things: list[Rod | Body], reach: np.ndarray) -> ri
     p = np.zeros((n, rigid.COLUMNS))
     p[:, rigid.RADIUS] = 1e-3
     for o, thing in enumerate(things):
-        inertia = np.zeros((3, 3))
         if isinstance(thing, Rod) and not thing.segments:
             p[o, rigid.SLENDER], turn, p[o, rigid.SIZE] = 1.0, *joint_inertia(model, thing)
             p[o, rigid.INERTIA :] = np.diag([0.0, turn, turn]).ravel()
             continue
+        inertia = lent_inertia(model, thing)
         if isinstance(thing, Rod):
             p[o, rigid.SLENDER] = 1.0
             inertia += beyond_nodes(model, thing, np.array([1.0, 0.0, 0.0]))

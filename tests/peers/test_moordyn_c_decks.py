@@ -1,0 +1,131 @@
+"""Every deck of MoorDyn-C's own tests, live beside it: what runs, how near, and why not nearer.
+
+Each number is the rms of the difference over the rms deviation from the mean of MoorDyn-C's. Our steps are held short, so
+that they are no part of it. Where a start is not statics, MoorDyn-C is given ours: the programs' first guesses of lines
+differ, and MoorDyn-C has a free rod's first attitude from end B alone (RodHanging). What needs an explanation:
+
+* seafloor: a slack line whose first node is in the surface, and a weight that slides down a slope. 1 m deeper, both go the
+  same to 1e-6 m until the weight touches down. Then MoorDyn-C pushes it up, we push along the normal.
+* pinnedBody: MoorDyn-C's acceleration of what a host moves is that of a coupling step before: halving it halves the error.
+* BeamCantilevered: 0.5 s of its vibration; MoorDyn-C's statics stop at a tip 20 % too low, and it needs a hundredth of the
+  step that its file asks for in the end to stay finite.
+"""
+
+from __future__ import annotations
+
+import re
+import warnings
+from pathlib import Path
+
+import numpy as np
+import pytest
+from beside import needs
+from one_script import Scene, by_runge_kutta, off, packed, watch
+
+import moorage
+import moorage.moordyn as ours
+from moorage.errors import UnsupportedError
+from moorage.model.unbuilt import refuse_unbuilt
+
+pytestmark = needs("moordyn_c")
+QUARTER = 0.5 * np.pi
+
+
+def surge(t):
+    return np.array([5.2, 0, -70, -2.6, 4.5, -70, -2.6, -4.5, -70]) + 2.0 * (1 - np.cos(np.pi * t / 10)) * np.array([1, 0, 0] * 3)
+
+
+def heave(t):
+    """As QuasiStatic/ZZP1_A1.txt: 2 m in 10 s."""
+    return 0.0, 0.0, 2.0 * np.sin(np.pi * t / 5)
+
+
+def along(t):
+    """As the first case of Lowe & Langley: 10 m in 27 s, over a ramp of one period."""
+    r = min(t / 27.0, 1.0)
+    return -10.0 * np.sin(2 * np.pi * t / 27) * r * r * (3 - 2 * r), 0.0, -5.0
+
+
+def pull(t):
+    """Slowly along, as polyester/motion.csv: up to 50 m; here 5 m in 60 s."""
+    return 1360.0 + 2.5 * (1 - np.cos(np.pi * t / 60)), 0.0, -18.0
+
+
+def around(t):
+    """As MoorDyn-C's test: from x to z to y to x in quarter circles of 2 s, with rests of half a second."""
+    x, y, z = np.eye(3)
+    for start, a, b in ((0.1, x, z), (2.6, z, y), (5.1, y, x)):
+        if t < start + 2.5:
+            angle = QUARTER * np.clip((t - start) / 2.0, 0.0, 1.0)
+            return np.array([0, 0, 5]) + 2.0 * (np.cos(angle) * a + np.sin(angle) * b)
+    return np.array([2.0, 0, 5])
+
+
+def orbit():
+    """Two bodies 10 m off the mass that they go round with 0.2 rad/s; MoorDyn-C's test sets the same."""
+    body = np.array([[0, 10, 20, 0, 0, 0, 1, 0, 0, 2, 0.2, 0, 0]], float)
+    return packed(body, body, np.zeros((1, 13)), np.zeros((1, 6)), np.zeros((1, 6)))
+
+
+def bed(slope: float) -> str:
+    """A depth file for seafloor.txt, whose own does not come with it: 29 m at x = 10 m."""
+    x, y = np.linspace(-50, 50, 101), np.linspace(-2, 2, 5)
+    rows = [f"{a} {b} {-29.0 + slope * (a - 10.0)}" for a in x for b in y]
+    return "\n".join([f"{len(x)} {len(y)}", " ".join(map(str, x)), " ".join(map(str, y)), *rows]) + "\n"
+
+
+SEAFLOOR = Scene(
+    "seafloor.txt", 2.2, 0.05, swap=[("Mooring/3D_seafloor/seafloor_profile_3d.txt", "bed.txt")],
+    files=[("bed.txt", bed(0.1))], rk4=1e-4,
+)  # fmt: skip
+SHORT = "1e-5 dtM\nrk4 tScheme\n0 TmaxIC\n"
+
+SCENES = [
+    (Scene("rod_tests/AddedMass.txt", 2.0, step=2e-3), {"position": 1e-9}),
+    (Scene("RodHanging.txt", 5.0, step=2e-3), {"tension": 2e-3, "position": 1e-4}),
+    (Scene("body_tests/bodyDrag.txt", 2.0, step=1e-3), {"tension": 5e-3, "position": 1e-3}),
+    (Scene("body_tests/orbitalBody.txt", 10.0, 0.25, state=orbit(), step=0.01), {"position": 1e-5, "attitude": 1e-5}),
+    (Scene("body_tests/rotatingBody.txt", 7.6, 0.05, way=around, step=5e-4), {"tension": 2e-3, "position": 1e-3, "attitude": 5e-3}),
+    (Scene("pendulum.txt", 20.0, rk4=5e-4), {"tension": 1e-4, "position": 1e-6}),
+    (SEAFLOOR, {"position": 3e-2}),
+    (Scene("BeamCantilevered.txt", 0.5, 0.025, drop=["cfl", "TmaxIC"], swap=[("10            WtrDpth", SHORT + "10 WtrDpth")], step=1e-4), {"position": 5e-3}),
+    (Scene("lines.txt", 40.0, drop=["fileIC"], way=surge, static=True, step=0.01), {"tension": 1e-3, "position": 1e-4, "force": 1e-3}),
+    (Scene("QuasiStatic/inputs/WD0200_Chain.txt", 30.0, drop=["fileIC", "cfl"], swap=[("1.0e5                kBot", "5e-4 dtM\n1.0e5 kBot")], way=heave, static=True, step=0.01), {"tension": 5e-3, "position": 5e-3}),
+    (Scene("lowe_and_langley_2006/line.txt", 54.0, 0.05, drop=["WaveKin"], way=along, static=True, step=1e-3), {"tension": 5e-3, "position": 5e-3}),
+    (Scene("polyester/simple.txt", 60.0, 0.5, way=pull, static=True), {"tension": 5e-3, "position": 1e-4, "force": 5e-3}),
+]  # fmt: skip
+REFUSED = {
+    "polyester/visco.txt": "viscoelastic lines",
+    "syrope/exp_wc/line.txt": "the Syrope model",
+    "syrope/linear_wc/line.txt": "the Syrope model",
+    "syrope/quadratic_wc/line.txt": "the Syrope model",
+    "viv/viv.txt": "vortex-induced vibration",
+}
+
+
+@pytest.fixture
+def theirs(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    return pytest.importorskip("moordyn")
+
+
+@pytest.fixture
+def folder(reference):
+    return reference / "moordyn-c-tests"
+
+
+def errors(theirs, folder, scene: Scene) -> dict[str, float]:
+    mine, first = watch(ours, scene, folder, scene.state)
+    state = None if scene.static else scene.state or first
+    other, _ = watch(theirs, scene._replace(static=scene.static), folder, state)
+    if scene.rk4:
+        mine = by_runge_kutta(scene, folder)
+    return {name: off(mine[name], other[name]) for name in mine if np.ptp(other[name], axis=0).max() > 1e-9}
+
+
+@pytest.mark.parametrize(("scene", "bounds"), SCENES, ids=[scene.deck for scene, _ in SCENES])
+def test_deck(theirs, folder, scene, bounds, record_property):
+    found = errors(theirs, folder, scene)
+    record_property("error", str(found))
+    for name, bound in bounds.items():
+        assert found[name] < bound, found
