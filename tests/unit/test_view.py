@@ -304,3 +304,55 @@ def test_the_command_opens_the_page_where_there_is_a_desktop(run, tmp_path, monk
     monkeypatch.delenv("WAYLAND_DISPLAY", raising=False)
     CliRunner().invoke(cli.app, ["view", "run.nc"])
     assert len(opened) == 1
+
+
+def test_names_that_look_like_html_stay_in_their_script(run):
+    """`<!--<script` in a script element would swallow its end."""
+    ds = run.assign_attrs(title="<!--<script> & </script>").assign_coords(line_name=("line", ["<!--", "<script>", "x"]))
+    meta = re.search(r'id="meta">(.*?)</script>', moorage.view(ds).html, re.DOTALL)[1]
+    assert "<" not in meta
+    assert json.loads(meta)["title"] == "<!--<script> & </script>"
+    assert json.loads(meta)["lines"][1]["name"] == "line 2: <script>"
+
+
+def test_instants_that_are_not_known_are_left_out_with_a_note(run):
+    holes = run.copy(deep=True)
+    holes["node_position"][2, 5] = np.nan
+    holes["segment_tension"][3, 4] = np.nan
+    holes["fairlead_tension"][10:12, 1] = np.nan
+    scene = scene_of(holes)
+    assert scene.meta["time"] == pytest.approx([0.0, 0.5, 2.0, 2.5, 3.0, 3.5, 4.0])
+    assert scene.meta["notes"] == ["2 of 9 instants hold values that are not numbers, and are left out."]
+    assert all(np.isfinite(table).all() for table in scene.arrays.values())
+    assert scene.arrays["history"].shape == (39, 6)
+    json.dumps(scene.meta, allow_nan=False)
+    holes["node_position"][:, 5] = np.nan
+    with pytest.raises(ResultError, match="at no instant are all positions and tensions numbers"):
+        scene_of(holes)
+
+
+def test_a_quantity_of_one_value_has_no_scale():
+    """A rope without weight in water, stretched by 5 %: 500 kN all along."""
+    rope = kind(diameter=0.1, mass_per_length=np.pi / 4.0 * 0.1**2 * 1025.0)
+    points = (fixed(1, 0.0, 0.0, -20.0), fixed(2, 10.5, 0.0, -20.0))
+    model = mooring(rope, points, (line(1, 1, 2, ("rope", 10.0, 5)),), water_depth=50.0)
+    tension, curvature = scene_of(moorage.solve_statics(model)).meta["quantities"][:2]
+    assert tension["low"] == tension["high"] == pytest.approx(500.0, rel=1e-6)
+    assert curvature["low"] == curvature["high"] == 0.0
+
+
+def test_an_upright_line_stands_on_ground_that_can_be_seen():
+    model = mooring(
+        kind(), (fixed(1, 0.0, 0.0, -100.0), fixed(2, 0.0, 0.0, -10.0)), (line(1, 1, 2, ("rope", 90.0, 9)),)
+    )
+    x0, y0, x1, y1 = scene_of(moorage.solve_statics(model)).meta["region"]
+    assert min(x1 - x0, y1 - y0) > 0.1 * 90.0
+
+
+def test_a_rod_is_shown_where_there_are_no_lines():
+    rod = Rod(id=1, rod_type="clamp", kind="fixed", end_a=(0.0, 0.0, -30.0), end_b=(0.0, 0.0, 10.0), segments=4)
+    model = mooring(kind(), (), (), (rod,), water_depth=60.0)
+    scene = scene_of(moorage.solve_statics(model), model)
+    assert scene.meta["lines"] == []
+    assert scene.meta["rods"] == [{"name": "rod 1"}]
+    assert len(moorage.view(model).html) > 1e5

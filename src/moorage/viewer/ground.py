@@ -9,14 +9,16 @@ from moorage.results.bed_level import bed_level
 
 MARGIN = 0.1  # around the lines, as a part of their extent
 NARROW = 0.4  # no narrower than this part of its length
+UPRIGHT = 0.3  # and its length no shorter than this part of the lines' height
 FINEST = 200  # places along its longer side
 
 
 def region_of(position: np.ndarray) -> np.ndarray:
     """Return the rectangle (x0, y0, x1, y1) to show around nodes (..., 3), m."""
-    places = position.reshape(-1, position.shape[-1])[:, :2]
+    places = position.reshape(-1, position.shape[-1])
     low, high = places.min(axis=0), places.max(axis=0)
-    extent = max(float((high - low).max()), 1.0)
+    extent = max(float((high - low)[:2].max()), UPRIGHT * float(high[2] - low[2]), 1.0)
+    low, high = low[:2], high[:2]
     half = np.maximum(0.5 * (high - low) + MARGIN * extent, 0.5 * NARROW * extent)
     return np.concatenate([0.5 * (low + high) - half, 0.5 * (low + high) + half])
 

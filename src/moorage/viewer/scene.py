@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -42,15 +42,21 @@ def scene_of(result: xr.Dataset, model: Model | None = None) -> Scene:
         raise ResultError(Problem("the result has no histories of nodes: there is no shape to show", remedy))
     ds = with_time(result)
     whole = ds[node_dim(ds)].values
-    if not len(whole) or not ds.sizes["node"]:
-        raise ResultError(Problem("the result holds no instant, or no lines", "run it for longer"))
+    if not len(whole):
+        raise ResultError(Problem("the result holds no instant", "run it for longer"))
+    if not any(ds.sizes.get(thing) for thing in ("node", "point", "rod", "body")):
+        raise ResultError(Problem("the result holds no lines, points, rods or bodies", "give one that does"))
     frames, thinned = shown_frames(whole, (3 + count(ds)) * ds.sizes["node"] + 3 * ds.sizes["point"])
     time, position, starts = whole[frames], ds["node_position"][frames].values, line_starts(ds)
     colours = quantities(ds, frames, position)
     places, labels = markers(ds, position, time)
     rod_ends, rod_names = rods(ds, model, time)
     body_places, body_names = bodies(ds, time)
-    shown = np.concatenate([position, rod_ends, body_places[..., :3]], axis=1)
+    seen = known([position, places, rod_ends, body_places, *(q.values for q in colours)])
+    time, position, places, rod_ends, body_places = (v[seen] for v in (time, position, places, rod_ends, body_places))
+    colours = [replace(q, values=q.values[seen]) for q in colours]
+    unknown = f"{(~seen).sum()} of {len(seen)} instants hold values that are not numbers, and are left out."
+    shown = np.concatenate([position, places, rod_ends, body_places[..., :3]], axis=1)
     region = region_of(shown)
     bed, level, beyond = ground(ds, region)
     water, short = sea(ds, region)
@@ -64,7 +70,7 @@ def scene_of(result: xr.Dataset, model: Model | None = None) -> Scene:
         "version": str(ds.attrs.get("moorage_version", "")),
         "date": str(ds.attrs.get("date", ""))[:10],
         "status": str(ds.attrs.get("status", "")),
-        "notes": [text for text in (thinned, beyond, short) if text],
+        "notes": [text for text in (thinned, "" if seen.all() else unknown, beyond, short) if text],
         "moving": len(time) > 1,
         "time": _numbers(time),
         "depth": float(ds.attrs["water_depth"]),
@@ -84,9 +90,20 @@ def scene_of(result: xr.Dataset, model: Model | None = None) -> Scene:
     return Scene(meta, arrays)
 
 
+def known(tables: list[np.ndarray]) -> np.ndarray:
+    """Return at which of the instants (n,) all numbers of tables (n, ...) are numbers."""
+    good = np.ones(len(tables[0]), bool)
+    for table in tables:
+        good &= np.isfinite(table.reshape(len(table), -1)).all(axis=1)
+    if not good.any():
+        remedy = "leave out what is not known, for instance with isel and dropna"
+        raise ResultError(Problem("at no instant are all positions and tensions numbers", remedy))
+    return good
+
+
 def _lines(ds: xr.Dataset, starts: np.ndarray) -> list[dict]:
     """Return for every line its name, its rows of nodes, their arc lengths (m), and what the ends are called."""
-    arc, stops = ds["arc_length"].values, np.append(starts[1:], ds.sizes["node"])
+    arc, stops = ds["arc_length"].values, np.append(starts, ds.sizes["node"])[1:]
     names = ds["line_name"].values if "line_name" in ds.coords else [""] * len(starts)
     return [
         {

@@ -35,7 +35,7 @@ export function facts(app) {
   const time = meta.moving
     ? `${short(app.duration)} s, one instant every ${short(app.interval)} s`
     : "static equilibrium";
-  return [meta.source, `${n} line${n > 1 ? "s" : ""}, ${nodes} segments`, time, meta.sea.asked]
+  return [meta.source, `${n} line${n === 1 ? "" : "s"}, ${nodes} segment${nodes === 1 ? "" : "s"}`, time, meta.sea.asked]
     .filter(Boolean)
     .join(" · ");
 }
