@@ -356,3 +356,11 @@ def test_a_rod_is_shown_where_there_are_no_lines():
     assert scene.meta["lines"] == []
     assert scene.meta["rods"] == [{"name": "rod 1"}]
     assert len(moorage.view(model).html) > 1e5
+
+
+def test_a_run_that_did_not_end_is_told(run):
+    cut = run.isel(time=slice(0, 21), node_time=slice(0, 5)).assign_attrs(status="failed at 2.03 s: line 1 ...")
+    (note,) = scene_of(cut).meta["notes"]
+    assert note == "The run is not complete: failed at 2.03 s: line 1 ...; 2 s of 4 s are here."
+    assert "killed; 2 s" in scene_of(cut.assign_attrs(status="running")).meta["notes"][0]
+    assert scene_of(run).meta["notes"] == []

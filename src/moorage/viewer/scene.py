@@ -69,8 +69,7 @@ def scene_of(result: xr.Dataset, model: Model | None = None) -> Scene:
         "source": Path(str(ds.attrs.get("input_file", ""))).name,
         "version": str(ds.attrs.get("moorage_version", "")),
         "date": str(ds.attrs.get("date", ""))[:10],
-        "status": str(ds.attrs.get("status", "")),
-        "notes": [text for text in (thinned, "" if seen.all() else unknown, beyond, short) if text],
+        "notes": [text for text in (cut_short(ds), thinned, "" if seen.all() else unknown, beyond, short) if text],
         "moving": len(time) > 1,
         "time": _numbers(time),
         "depth": float(ds.attrs["water_depth"]),
@@ -88,6 +87,15 @@ def scene_of(result: xr.Dataset, model: Model | None = None) -> Scene:
         "historyTime": _numbers(past_time),
     }
     return Scene(meta, arrays)
+
+
+def cut_short(ds: xr.Dataset) -> str:
+    """Return a note on a run that did not come to its end, empty for others."""
+    status = str(ds.attrs.get("status", "complete"))
+    if status == "complete" or "duration" not in ds.attrs:
+        return ""
+    how = "killed" if status == "running" else status
+    return f"The run is not complete: {how}; {float(ds['time'][-1]):g} s of {float(ds.attrs['duration']):g} s are here."
 
 
 def known(tables: list[np.ndarray]) -> np.ndarray:
