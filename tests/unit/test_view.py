@@ -364,3 +364,22 @@ def test_a_run_that_did_not_end_is_told(run):
     assert note == "The run is not complete: failed at 2.03 s: line 1 ...; 2 s of 4 s are here."
     assert "killed; 2 s" in scene_of(cut.assign_attrs(status="running")).meta["notes"][0]
     assert scene_of(run).meta["notes"] == []
+
+
+def test_a_mooring_far_from_the_origin_keeps_its_places():
+    """In coordinates of a survey; single precision there would be 0.5 m. The sea is that of the run all the same."""
+    sea = Waves.regular(4.0, 9.0, depth=200.0, direction=0.7)
+    near = spread(10, waves=sea)
+    moved = [
+        dataclasses.replace(p, position=(p.position[0] + 5e5, p.position[1] + 6e6, p.position[2])) for p in near.points
+    ]
+    ds = moorage.simulate(dataclasses.replace(near, points=tuple(moved)), duration=1.0)
+    scene = scene_of(ds)
+    origin = np.array([*scene.meta["origin"], 0.0])
+    assert origin.tolist() == [500e3, 6000e3, 0.0]
+    back = unpack(pack(scene.arrays))["position"].reshape(len(ds["time"]), -1, 3) + origin
+    np.testing.assert_allclose(back, ds["node_position"].values, atol=1e-3)
+    ((_, kx, ky, _, phase),) = scene.meta["sea"]["components"]
+    whole = [kx * 5e5 + ky * 6e6 + phase, sea.phase[0]]
+    assert np.exp(1j * whole[0]) == pytest.approx(np.exp(1j * whole[1]), abs=1e-6)
+    assert scene_of(moorage.solve_statics(near)).meta["origin"] == [0.0, 0.0]

@@ -85,6 +85,7 @@ def seabed_map(source: xr.Dataset | Model, ax: Axes | None = None) -> Axes:
     ax.set_axisbelow(False)
     ax.grid(False)
     ax.set_aspect("equal", adjustable="box")
+    ax.ticklabel_format(style="plain", useOffset=False)  # coordinates of a survey are read whole
     ax.set_xlim(low[0], high[0])
     ax.set_ylim(low[1], high[1])
     ax.set_xlabel("x (m)", fontsize=9)

@@ -10,7 +10,7 @@ import xarray as xr
 
 from moorage.errors import Problem, ResultError
 from moorage.model import Model
-from moorage.viewer.ground import ground, region_of
+from moorage.viewer.ground import ground, origin_of, region_of
 from moorage.viewer.markers import bodies, line_reach, markers, platforms, rods
 from moorage.viewer.quantities import count, line_starts, quantities
 from moorage.viewer.times import end_tensions, node_dim, shown_frames, with_time
@@ -27,8 +27,8 @@ class Scene:
         What JSON can hold: names, units, the ranges of colours, the sea.
     arrays : dict of (rows, columns) arrays
         `position` (frames, 3 nodes), `markers` (frames, 3 markers), `rods` (frames, 6 rods),
-        `bodies` (frames, 6 bodies), a table (frames, nodes) of each quantity, `bed` (places, 1)
-        and `history` (rows, 2 lines).
+        `bodies` (frames, 6 bodies), with x and y from the `origin` of `meta`; a table (frames, nodes) of each quantity,
+        `bed` (places, 1) and `history` (rows, 2 lines).
     """
 
     meta: dict
@@ -59,7 +59,10 @@ def scene_of(result: xr.Dataset, model: Model | None = None) -> Scene:
     shown = np.concatenate([position, places, rod_ends, body_places[..., :3]], axis=1)
     region = region_of(shown)
     bed, level, beyond = ground(ds, region)
-    water, short = sea(ds, region)
+    origin = origin_of(region)
+    for table in (position, places, rod_ends, body_places, shown):
+        table[..., :2] -= origin
+    water, short = sea(ds, region, origin)
     past_time, past = end_tensions(ds)
     tables = {"position": position, "markers": places, "rods": rod_ends, "bodies": body_places}
     arrays = {name: table.reshape(len(time), -1) for name, table in tables.items()}
@@ -73,7 +76,8 @@ def scene_of(result: xr.Dataset, model: Model | None = None) -> Scene:
         "moving": len(time) > 1,
         "time": _numbers(time),
         "depth": float(ds.attrs["water_depth"]),
-        "region": _numbers(region),
+        "origin": origin.tolist(),
+        "region": _numbers(region - np.tile(origin, 2)),
         "low": _numbers(shown.min(axis=(0, 1))),
         "high": _numbers(shown.max(axis=(0, 1))),
         "lines": _lines(ds, starts),
