@@ -1,5 +1,6 @@
 """The report of a run: it holds the numbers of the result, what to doubt, and nothing from elsewhere."""
 
+import dataclasses
 import re
 from html.parser import HTMLParser
 from pathlib import Path
@@ -13,8 +14,10 @@ from typer.testing import CliRunner
 
 import moorage
 from moorage.cli import app
+from moorage.model import Attachment, Failure
 from moorage.reporting import doubts, report_page, write_pdf
 from moorage.reporting.content import Table, sections
+from moorage.viewer import scene_of
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 VOID = {"meta", "img", "br"}
@@ -91,6 +94,19 @@ def test_doubts(run):
 def test_tensions_above_the_breaking_load_are_doubts(run):
     strength = xr.full_like(run["unstretched_length"], 0.5 * run["segment_tension"].max().item())
     assert "more than its minimum breaking load" in doubts(run.assign_coords(breaking_load=strength))[0]
+
+
+def test_lines_that_come_off_are_told():
+    """In the result, in its report and on its page."""
+    whole = mooring(
+        kind(), (fixed(1, 0.0, 0.0, -50.0), fixed(2, 40.0, 0.0, -20.0)), (line(1, 1, 2, ("rope", 52.0, 2)),)
+    )
+    off = Failure(id=1, attachment=Attachment("point", 2), lines=(1,), time=0.5, tension=9e6)
+    ds = moorage.simulate(dataclasses.replace(whole, failures=(off,)), duration=1.0)
+    told = "line 1 from point 2 at 0.5 s or at 9000 kN"
+    assert ds.attrs["failures"] == told
+    assert told in Reader(report_page(ds)).text
+    assert scene_of(ds).meta["notes"] == [f"Comes off: {told}."]
 
 
 def test_bodies_and_rods_have_their_table(run):

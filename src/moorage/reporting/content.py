@@ -127,6 +127,7 @@ def _model(ds: xr.Dataset) -> dict[str, str]:
         "points": f"{len(kinds)} ({counts})",
         "rods": str(ds.sizes.get("rod", "") or ""),
         "bodies": str(ds.sizes.get("body", "") or ""),
+        "comes off": str(ds.attrs.get("failures", "")),
     }
 
 

@@ -72,7 +72,11 @@ def scene_of(result: xr.Dataset, model: Model | None = None) -> Scene:
         "source": Path(str(ds.attrs.get("input_file", ""))).name,
         "version": str(ds.attrs.get("moorage_version", "")),
         "date": str(ds.attrs.get("date", ""))[:10],
-        "notes": [text for text in (cut_short(ds), thinned, "" if seen.all() else unknown, beyond, short) if text],
+        "notes": [
+            text
+            for text in (cut_short(ds), come_off(ds), thinned, "" if seen.all() else unknown, beyond, short)
+            if text
+        ],
         "moving": len(time) > 1,
         "time": _numbers(time),
         "depth": float(ds.attrs["water_depth"]),
@@ -100,6 +104,12 @@ def cut_short(ds: xr.Dataset) -> str:
         return ""
     how = "killed" if status == "running" else status
     return f"The run is not complete: {how}; {float(ds['time'][-1]):g} s of {float(ds.attrs['duration']):g} s are here."
+
+
+def come_off(ds: xr.Dataset) -> str:
+    """Return a note on lines that come off during a run, empty when none do."""
+    failures = str(ds.attrs.get("failures", ""))
+    return f"Comes off: {failures}." if failures and "time" in ds.dims else ""
 
 
 def known(tables: list[np.ndarray]) -> np.ndarray:
