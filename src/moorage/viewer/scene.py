@@ -56,6 +56,7 @@ def scene_of(result: xr.Dataset, model: Model | None = None) -> Scene:
     time, position, places, rod_ends, body_places = (v[seen] for v in (time, position, places, rod_ends, body_places))
     colours = [replace(q, values=q.values[seen]) for q in colours]
     unknown = f"{(~seen).sum()} of {len(seen)} instants hold values that are not numbers, and are left out."
+    unknown = "" if seen.all() else unknown
     shown = np.concatenate([position, places, rod_ends, body_places[..., :3]], axis=1)
     region = region_of(shown)
     bed, level, beyond = ground(ds, region)
@@ -67,16 +68,13 @@ def scene_of(result: xr.Dataset, model: Model | None = None) -> Scene:
     tables = {"position": position, "markers": places, "rods": rod_ends, "bodies": body_places}
     arrays = {name: table.reshape(len(time), -1) for name, table in tables.items()}
     arrays |= {q.key: q.values for q in colours} | {"bed": level, "history": past}
+    notes = (cut_short(ds), come_off(ds), thinned, unknown, beyond, short)
     meta = {
         "title": str(ds.attrs.get("title") or "Mooring"),
         "source": Path(str(ds.attrs.get("input_file", ""))).name,
         "version": str(ds.attrs.get("moorage_version", "")),
         "date": str(ds.attrs.get("date", ""))[:10],
-        "notes": [
-            text
-            for text in (cut_short(ds), come_off(ds), thinned, "" if seen.all() else unknown, beyond, short)
-            if text
-        ],
+        "notes": [text for text in notes if text],
         "moving": len(time) > 1,
         "time": _numbers(time),
         "depth": float(ds.attrs["water_depth"]),
@@ -109,7 +107,7 @@ def cut_short(ds: xr.Dataset) -> str:
 def come_off(ds: xr.Dataset) -> str:
     """Return a note on lines that come off during a run, empty when none do."""
     failures = str(ds.attrs.get("failures", ""))
-    return f"Comes off: {failures}." if failures and "time" in ds.dims else ""
+    return f"Comes off: {failures}." if failures and ds.sizes["time"] > 1 else ""
 
 
 def known(tables: list[np.ndarray]) -> np.ndarray:
