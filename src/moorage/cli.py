@@ -294,10 +294,10 @@ def plot(
 def report(
     result: ResultFile,
     output: Annotated[
-        Path | None, typer.Option("-o", metavar="PAGE.html", help="Page (default: RESULT-report.html).")
+        Path | None, typer.Option("-o", metavar="HTML|PDF", help="Report (default: RESULT-report.html).")
     ] = None,
 ) -> None:
-    """Write one page about a run: model, surroundings, tables, figures and warnings."""
+    """Write one page about a run, as HTML or PDF: model, surroundings, tables, figures and warnings."""
     page = moorage.report(result, output)
     console.out.print(f"page {page}", markup=False, soft_wrap=True)
 

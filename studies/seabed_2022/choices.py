@@ -10,8 +10,9 @@ import numpy as np
 
 from moorage.model import LineType, Model, Motion, Waves
 from studies.parts import Effort, Part, table
-from studies.peers import with_environment
+from studies.peers import with_environment, with_types
 from studies.seabed_2022.mooring import (
+    CHAIN,
     DAMPED,
     HEIGHT,
     PERIOD,
@@ -44,13 +45,18 @@ def of_the_mooring() -> Iterator[tuple[str, Callable[[], Model], Motion]]:
     yield "as chosen", semi_taut, waves
     yield "EA of the rope 55 MN instead of 110", lambda: with_type(base, "polyester", axial_stiffness=0.55e8), waves
     yield "EA of the rope 220 MN", lambda: with_type(base, "polyester", axial_stiffness=2.2e8), waves
-    yield "drag of the chain 2.4 instead of 2.0", lambda: with_type(base, "chain", transverse_drag=2.4), waves
+    yield "chain 5 % heavier", lambda: with_type(base, "chain", mass_per_length=1.05 * CHAIN.mass_per_length), waves
+    yield "EA of the chain halved", lambda: with_type(base, "chain", axial_stiffness=0.5 * CHAIN.axial_stiffness), waves
+    yield "axial damping 0.1 of critical instead of 1", lambda: with_types(base, axial_damping_ratio=0.1), waves
+    yield "Ca of the chain 1.0 instead of 0.8", lambda: with_type(base, "chain", transverse_added_mass=1.0), waves
+    yield "Cd of the chain 2.4 instead of 2.0", lambda: with_type(base, "chain", transverse_drag=2.4), waves
     yield (
         "seabed 0.3 MPa/m instead of 3",
         lambda: with_environment(base, seabed_stiffness=3e5, seabed_damping=1e4),
         waves,
     )
     yield "seabed 30 MPa/m", lambda: with_environment(base, seabed_stiffness=3e7), waves
+    yield "seabed 0.01 MPa s/m instead of 0.1", lambda: with_environment(base, seabed_damping=1e4), waves
     yield "twice the segments", lambda: semi_taut(refine=2), waves
     yield "fairleads 10 m higher, at -4 m", raised, waves
     yield "waves act on the lines too", lambda: with_environment(base, waves=sea()), waves

@@ -125,8 +125,8 @@ def part(case: Case, effort: Effort) -> Part:
     peer = beside(case) if effort.peers and has_moordyn() else {}
     words[f"{key}_peer"] = (
         f"With one coefficient of {case.coefficient:g} in both, MoorDyn-C's fairlead tension is {peer['rms']:.2f} kN "
-        f"rms ({100 * peer['rms'] / peer['mean']:.2f} %) from Moorage's, in {peer['cpu_theirs']:.1f} s of CPU time "
-        f"and {peer['cpu_ours']:.3f} s."
+        f"rms ({100 * peer['rms'] / peer['mean']:.2f} %) from Moorage's, in {peer['wall_theirs']:.1f} s; Moorage takes "
+        f"{peer['wall_ours']:.3f} s (wall times)."
         if peer
         else "MoorDyn-C was not run."
     )
@@ -139,12 +139,12 @@ def part(case: Case, effort: Effort) -> Part:
 def beside(case: Case) -> dict[str, float]:
     """Return how far MoorDyn-C is with the same, one, coefficient."""
     model, motion = case.model(isotropic(LAWS["saturated damping"], case.coefficient)), case.motion(case.duration)
-    ds, cpu = ours(model, motion, case.duration, 0.25)
+    ds, wall = ours(model, motion, case.duration, 0.25)
     other = theirs(model, motion, case.duration)
     late = ds["time"].values > 5.0
     own = ds["fairlead_segment_tension"].values[:, 0] / 1e3
     off = rms((own - other["end_tension"][:, 1] / 1e3)[late])
-    return {"rms": off, "mean": float(own[late].mean()), "cpu_ours": cpu, "cpu_theirs": float(other["cpu"])}
+    return {"rms": off, "mean": float(own[late].mean()), "wall_ours": wall, "wall_theirs": float(other["wall"])}
 
 
 def _figure(case: Case, runs):

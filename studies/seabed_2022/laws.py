@@ -129,7 +129,7 @@ def side_by_side(effort: Effort) -> Part:
     for site in sites():
         numbers[site.name], bare = {}, None
         for name, law in laws(site).items():
-            ds, cpu = ours(site.model(law), motion, DURATION, 0.25, dt_nodes=0.25, tolerance=TOLERANCE)
+            ds, wall = ours(site.model(law), motion, DURATION, 0.25, dt_nodes=0.25, tolerance=TOLERANCE)
             late = ds["time"].values >= COUNTED
             anchor, top = ds["anchor_tension"].sel(line=1).values[late] / 1e3, fairlead(ds)[late]
             found = {
@@ -141,14 +141,14 @@ def side_by_side(effort: Effort) -> Part:
             rows.append((site.name, name, f"{one['mean']:.1f}", f"{100 * (one['std'] / bare['std'] - 1):+.2f} %",
                          f"{100 * (one['max'] / bare['max'] - 1):+.2f} %", f"{one['anchor_mean']:.1f}",
                          f"{one['anchor_max']:.1f}", f"{one['energy']:.0f}", f"{one['creep']:.3f}",
-                         f"{cpu:.3f}"))  # fmt: skip
+                         f"{wall:.3f}"))  # fmt: skip
             runs[site.name, name] = ds
     static = float(at_rest(shallow())["fairlead_tension"].values[0] / 1e3)
     numbers["shallow"]["static"] = static
     words = {
         "laws": table(
             ("water", "friction", "mean, kN", "std, from none", "highest, from none", "at the anchor, mean, kN",
-             "highest", "energy lost by line 1, kJ a slow period", "creep, m", "CPU s"), rows,
+             "highest", "energy lost by line 1, kJ a slow period", "creep, m", "wall time, s"), rows,
         ),
         "static_shallow": f"{static:.1f}",
     }  # fmt: skip

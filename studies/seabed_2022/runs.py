@@ -17,7 +17,7 @@ OPTIONS = {"dtM": 0.0025, "TmaxIC": 300, "dtIC": 5.0, "threshIC": 1e-5, "CdScale
 
 
 def ours(model: Model, motion: Motion, duration: float, dt: float = 0.25, **settings) -> tuple[xr.Dataset, float]:
-    """Return a run and its CPU time, s."""
+    """Return a run and its wall time, s."""
     return timed(model, duration=duration, motion=motion, dt_out=dt, **({"dt_nodes": 1.0} | settings))
 
 

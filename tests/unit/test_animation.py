@@ -58,6 +58,22 @@ def test_a_frame_shows_the_instant(run):
     np.testing.assert_allclose(outline[17], film.look(np.array([x, y, SEA.elevation(3.1, x, y).item()])), atol=1e-9)
 
 
+def test_rods_and_bodies_are_in_the_film(run):
+    """A rod and a body that rise by 1 m/s, half way between two instants."""
+    time = run["time"].values
+    rise = time[:, None] * [0.0, 0.0, 1.0]
+    ends = np.stack([rise + np.array([x, 0.0, -50.0]) for x in (0.0, 30.0)], axis=1)[:, None]
+    ds = run.assign(
+        rod_position=(("time", "rod", "rod_end", "xyz"), ends),
+        body_position=(("time", "body", "xyz"), rise[:, None] + [9.0, 9.0, -20.0]),
+    ).assign_coords(rod=[1], body=[2])
+    film = Film(ds)
+    film.show(4.1)
+    (shown,) = film.rods.get_segments()
+    np.testing.assert_allclose(shown, film.look(np.array([[0.0, 0.0, -45.9], [30.0, 0.0, -45.9]])), atol=1e-9)
+    np.testing.assert_allclose(film.bodies.get_xydata(), [film.look(np.array([9.0, 9.0, -15.9]))], atol=1e-9)
+
+
 def test_a_mooring_in_a_plane_is_seen_from_its_side(plane):
     film = Film(plane)
     assert film.look.planar

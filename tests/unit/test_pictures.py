@@ -4,11 +4,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from matplotlib.figure import Figure
+from moorings import coupled, fixed, kind, line, mooring
 from typer.testing import CliRunner
 
 import moorage
 from moorage.cli import app
-from moorage.plot import picture, plot_envelope, plot_spectrum
+from moorage.plot import picture, plot_envelope, plot_spectrum, plot_tension, save_figure, save_picture
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "oc4" / "oc4.dat"
 KINDS = ("profile", "history", "envelope", "spectrum", "map")
@@ -73,6 +75,30 @@ def test_an_envelope_holds_the_extremes_of_the_run(run):
     assert [text.get_text() for text in ax.get_legend().get_texts()] == ["line 2"]
 
 
+def test_of_many_lines_those_with_the_highest_peaks_stand_out():
+    """Nine ropes whose ends are moved, the fifth one tight: it has a colour, its envelope, and its name."""
+    ends = [p for k in range(9) for p in (fixed(2 * k + 1, 0.0, k, -50.0), coupled(2 * k + 2, 40.0, k, -20.0))]
+    ropes = [line(k + 1, 2 * k + 1, 2 * k + 2, ("rope", 49.0 if k == 4 else 53.0, 4)) for k in range(9)]
+    motion = moorage.Motion.from_harmonics(8.0, ramp=2.0, surge=(0.5, 3.0))
+    nine = moorage.simulate(mooring(kind(), ends, ropes, water_depth=50.0), duration=8.0, motion=motion)
+    blank = Figure().add_subplot()
+    for ax, count in ((plot_envelope(nine), 6 + 3 * 3), (plot_spectrum(nine), 9), (plot_tension(nine, blank), 9)):
+        names = [text.get_text() for text in ax.get_legend().get_texts()]
+        assert "line 5" in names
+        assert len(names) == 4
+        assert names[0].startswith("other lines")
+        assert len(ax.lines) == count
+
+
+def test_a_tension_that_is_the_same_all_along_has_round_ticks(run):
+    same = run.copy()
+    same["segment_tension"] = 0.0 * run["segment_tension"] + 5e5 + 1e-4 * np.arange(run.sizes["segment"])
+    ax = plot_envelope(same)
+    ax.figure.canvas.draw()
+    assert ax.get_ylim() == pytest.approx((450.0, 550.0), rel=1e-6)
+    assert ax.yaxis.get_offset_text().get_text() == ""
+
+
 def test_the_area_of_a_spectrum_is_the_variance_and_its_peak_the_frequency(run):
     """A sine of amplitude a has the variance a^2 / 2; parts of 64 s hold whole periods of 8 s, so that its peak is exact.
 
@@ -91,6 +117,14 @@ def test_the_area_of_a_spectrum_is_the_variance_and_its_peak_the_frequency(run):
 def test_a_short_run_has_no_spectrum(run):
     with pytest.raises(moorage.ResultError, match="a spectrum needs 32 instants"):
         plot_spectrum(run.isel(time=slice(0, 20)))
+
+
+def test_a_picture_of_no_known_kind_is_refused(run, tmp_path):
+    for save in (save_figure, lambda ds, path: save_picture(ds, "history", path)):
+        with pytest.raises(moorage.ResultError, match=r"not written in this format(.|\n)*end in \.png, \.pdf or \.svg"):
+            save(run, tmp_path / "run.foo")
+        with pytest.raises(moorage.ResultError, match=r"cannot write .*no.run\.png"):
+            save(run, tmp_path / "no" / "run.png")
 
 
 def test_the_command_writes_the_picture_that_was_asked_for(run, tmp_path, monkeypatch):

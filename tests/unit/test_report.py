@@ -1,15 +1,23 @@
 """The report of a run: it holds the numbers of the result, what to doubt, and nothing from elsewhere."""
 
+import dataclasses
 import re
 from html.parser import HTMLParser
 from pathlib import Path
 
+import numpy as np
 import pytest
+import xarray as xr
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from moorings import fixed, kind, line, mooring
 from typer.testing import CliRunner
 
 import moorage
 from moorage.cli import app
-from moorage.reporting import doubts, report_page
+from moorage.model import Attachment, Failure
+from moorage.reporting import doubts, report_page, write_pdf
+from moorage.reporting.content import Table, sections
+from moorage.viewer import scene_of
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 VOID = {"meta", "img", "br"}
@@ -81,6 +89,91 @@ def test_doubts(run):
     slack["minimum_tension"] = 0.0 * run["minimum_tension"]
     assert doubts(slack) == ["lines that went slack: 1, 2, 3"]
     assert "lines that went slack: 1, 2, 3" in Reader(report_page(slack)).text
+
+
+def test_tensions_above_the_breaking_load_are_doubts(run):
+    strength = xr.full_like(run["unstretched_length"], 0.5 * run["segment_tension"].max().item())
+    assert "more than its minimum breaking load" in doubts(run.assign_coords(breaking_load=strength))[0]
+
+
+def test_lines_that_come_off_are_told():
+    """In the result, in its report and on its page."""
+    whole = mooring(
+        kind(), (fixed(1, 0.0, 0.0, -50.0), fixed(2, 40.0, 0.0, -20.0)), (line(1, 1, 2, ("rope", 52.0, 2)),)
+    )
+    off = Failure(id=1, attachment=Attachment("point", 2), lines=(1,), time=0.5, tension=9e6)
+    ds = moorage.simulate(dataclasses.replace(whole, failures=(off,)), duration=1.0)
+    told = "line 1 from point 2 at 0.5 s or at 9000 kN"
+    assert ds.attrs["failures"] == told
+    assert told in Reader(report_page(ds)).text
+    assert scene_of(ds).meta["notes"] == [f"Comes off: {told}."]
+
+
+def test_bodies_and_rods_have_their_table(run):
+    place = np.tile([1.234, 0.0, -5.0], (run.sizes["time"], 1, 1))
+    turn = np.zeros_like(place) - 1e-9
+    ds = run.assign(
+        body_position=(("time", "body", "xyz"), place), body_rotation=(("time", "body", "xyz"), turn)
+    ).assign_coords(body=[3])
+    text = Reader(report_page(ds)).text
+    assert {"body 3", "1.23", "-5.00"} <= set(text)
+    assert "-0.00" not in text
+
+
+class Printed:
+    """Stands for the PDF: what is on its pages, and whether it stays on them."""
+
+    def __init__(self, *_, **__):
+        self.pages = []
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        pass
+
+    def savefig(self, figure):
+        self.pages.append([words.get_text().replace("\\$", "$") for words in figure.texts])
+        if not figure.axes:
+            for words in figure.texts:
+                box = words.get_window_extent(FigureCanvasAgg(figure).get_renderer()).transformed(
+                    figure.transFigure.inverted()
+                )
+                assert min(box.x0, box.y0) > 0.0, words
+                assert max(box.x1, box.y1) < 1.0, words
+
+
+def test_the_pdf_says_what_the_page_says(tmp_path, monkeypatch):
+    """All cells of all tables are on its pages, which hold 60 lines each, and nothing hangs over their edges."""
+    ends = [point for k in range(60) for point in (fixed(2 * k + 1, 0.0, k, -50.0), fixed(2 * k + 2, 40.0, k, -20.0))]
+    lines = [line(k + 1, 2 * k + 1, 2 * k + 2, ("rope", 52.0, 2)) for k in range(60)]
+    many = moorage.simulate(mooring(kind(), ends, lines, water_depth=50.0), duration=4.0)
+    long = many.assign_attrs(
+        unused_options="; ".join(["dtM = 0.001 (its own step)"] * 30), title="5 $ in $ " + "x" * 200
+    )
+    printed = Printed()
+    monkeypatch.setattr("moorage.reporting.pdf_pages.PdfPages", lambda *_, **__: printed)
+    write_pdf(long, tmp_path / "run.pdf")
+    words = {text for page in printed.pages for text in page}
+    for blocks in sections(long).values():
+        for block in blocks:
+            if isinstance(block, Table):
+                assert {cell for row in block.rows for cell in row} <= words
+                assert block.caption in words
+    pages = [page for page in printed.pages if len(page) > 1]
+    assert len(pages) > 3  # of text: 60 lines in three tables
+    assert sum("lowest" in page or "min" in page for page in pages) >= 3  # a table on a new page has its head again
+    assert sum(len(page) == 1 for page in printed.pages) == 4  # figures
+    assert "".join(text for text in pages[0] if set(text) == {"x"}) in "x" * 200
+
+
+def test_a_pdf_is_written(run, tmp_path):
+    path = moorage.report(run, tmp_path / "run.pdf")
+    data = path.read_bytes()
+    assert data.startswith(b"%PDF-")
+    assert data.count(b"/Type /Page ") == 5  # text and four figures
+    with pytest.raises(moorage.ResultError, match=r"a report is an \.html or a \.pdf"):
+        moorage.report(run, tmp_path / "run.doc")
 
 
 def test_a_report_of_statics_is_refused():

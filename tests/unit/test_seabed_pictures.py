@@ -89,3 +89,16 @@ def test_map_of_a_flat_seabed_and_on_given_axes():
     level = Bathymetry((-100.0, 100.0), (-100.0, 100.0), ((50.0, 50.0), (50.0, 50.0)))
     model = dataclasses.replace(model, environment=dataclasses.replace(model.environment, bathymetry=level))
     seabed_map(model).figure.canvas.draw()
+
+
+def test_map_of_a_flat_seabed_shows_where_lines_touch_down():
+    """A chain slack enough that its touchdown is where the catenary has it, to the length of a segment."""
+    model = mooring(
+        CHAIN, [fixed(1, 0, 0, -50), fixed(2, 80.0, 0, 0)], [line(1, 1, 2, ("chain", 110.0, 44))], water_depth=50.0
+    )
+    ds = moorage.solve_statics(model)
+    ax = seabed_map(ds)
+    (mark,) = (drawn for drawn in ax.lines if drawn.get_label() == "touchdown")
+    x, y = mark.get_data()
+    assert x[0] == pytest.approx(ds["grounded_length"].item(), abs=2.5)
+    assert y[0] == pytest.approx(0.0, abs=1e-6)

@@ -49,6 +49,19 @@ def test_named_functions_exist(name, functions):
     assert set(re.findall(r"\w+", functions)) <= names_of(place(name))
 
 
+def test_every_section_with_an_equation_names_its_source():
+    sections = re.split(r"\n(?=#{2,3} )", PAGE.split("## Differences from MoorDyn")[0])[1:]
+    with_equations = [part for part in sections if re.search(r"\n\n    \S", part)]
+    assert len(with_equations) > 12
+    assert [part.split("\n")[0] for part in with_equations if not re.search(r"\bSources?: ", part)] == []
+
+
+def test_years_in_the_text_are_in_the_list_of_sources():
+    text, listed = PAGE.split("\n## Sources\n")
+    for name, year in re.findall(r"([A-Z][a-z]+)(?:,? (?:&|and) [A-Z]\w+)? \(?((?:19|20)\d\d)\b", text):
+        assert re.search(rf"{name},[^*]*{year}", listed), (name, year)
+
+
 def test_a_wrong_name_would_be_noticed():
     assert "no_such_law" not in names_of(PACKAGE / "physics" / "tension.py")
     assert not place("physics/no_such_law.py").is_file()

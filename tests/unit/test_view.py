@@ -304,3 +304,82 @@ def test_the_command_opens_the_page_where_there_is_a_desktop(run, tmp_path, monk
     monkeypatch.delenv("WAYLAND_DISPLAY", raising=False)
     CliRunner().invoke(cli.app, ["view", "run.nc"])
     assert len(opened) == 1
+
+
+def test_names_that_look_like_html_stay_in_their_script(run):
+    """`<!--<script` in a script element would swallow its end."""
+    ds = run.assign_attrs(title="<!--<script> & </script>").assign_coords(line_name=("line", ["<!--", "<script>", "x"]))
+    meta = re.search(r'id="meta">(.*?)</script>', moorage.view(ds).html, re.DOTALL)[1]
+    assert "<" not in meta
+    assert json.loads(meta)["title"] == "<!--<script> & </script>"
+    assert json.loads(meta)["lines"][1]["name"] == "line 2: <script>"
+
+
+def test_instants_that_are_not_known_are_left_out_with_a_note(run):
+    holes = run.copy(deep=True)
+    holes["node_position"][2, 5] = np.nan
+    holes["segment_tension"][3, 4] = np.nan
+    holes["fairlead_tension"][10:12, 1] = np.nan
+    scene = scene_of(holes)
+    assert scene.meta["time"] == pytest.approx([0.0, 0.5, 2.0, 2.5, 3.0, 3.5, 4.0])
+    assert scene.meta["notes"] == ["2 of 9 instants hold values that are not numbers, and are left out."]
+    assert all(np.isfinite(table).all() for table in scene.arrays.values())
+    assert scene.arrays["history"].shape == (39, 6)
+    json.dumps(scene.meta, allow_nan=False)
+    holes["node_position"][:, 5] = np.nan
+    with pytest.raises(ResultError, match="at no instant are all positions and tensions numbers"):
+        scene_of(holes)
+
+
+def test_a_quantity_of_one_value_has_no_scale():
+    """A rope without weight in water, stretched by 5 %: 500 kN all along."""
+    rope = kind(diameter=0.1, mass_per_length=np.pi / 4.0 * 0.1**2 * 1025.0)
+    points = (fixed(1, 0.0, 0.0, -20.0), fixed(2, 10.5, 0.0, -20.0))
+    model = mooring(rope, points, (line(1, 1, 2, ("rope", 10.0, 5)),), water_depth=50.0)
+    tension, curvature = scene_of(moorage.solve_statics(model)).meta["quantities"][:2]
+    assert tension["low"] == tension["high"] == pytest.approx(500.0, rel=1e-6)
+    assert curvature["low"] == curvature["high"] == 0.0
+
+
+def test_an_upright_line_stands_on_ground_that_can_be_seen():
+    model = mooring(
+        kind(), (fixed(1, 0.0, 0.0, -100.0), fixed(2, 0.0, 0.0, -10.0)), (line(1, 1, 2, ("rope", 90.0, 9)),)
+    )
+    x0, y0, x1, y1 = scene_of(moorage.solve_statics(model)).meta["region"]
+    assert min(x1 - x0, y1 - y0) > 0.1 * 90.0
+
+
+def test_a_rod_is_shown_where_there_are_no_lines():
+    rod = Rod(id=1, rod_type="clamp", kind="fixed", end_a=(0.0, 0.0, -30.0), end_b=(0.0, 0.0, 10.0), segments=4)
+    model = mooring(kind(), (), (), (rod,), water_depth=60.0)
+    scene = scene_of(moorage.solve_statics(model), model)
+    assert scene.meta["lines"] == []
+    assert scene.meta["rods"] == [{"name": "rod 1"}]
+    assert len(moorage.view(model).html) > 1e5
+
+
+def test_a_run_that_did_not_end_is_told(run):
+    cut = run.isel(time=slice(0, 21), node_time=slice(0, 5)).assign_attrs(status="failed at 2.03 s: line 1 ...")
+    (note,) = scene_of(cut).meta["notes"]
+    assert note == "The run is not complete: failed at 2.03 s: line 1 ...; 2 s of 4 s are here."
+    assert "killed; 2 s" in scene_of(cut.assign_attrs(status="running")).meta["notes"][0]
+    assert scene_of(run).meta["notes"] == []
+
+
+def test_a_mooring_far_from_the_origin_keeps_its_places():
+    """In coordinates of a survey; single precision there would be 0.5 m. The sea is that of the run all the same."""
+    sea = Waves.regular(4.0, 9.0, depth=200.0, direction=0.7)
+    near = spread(10, waves=sea)
+    moved = [
+        dataclasses.replace(p, position=(p.position[0] + 5e5, p.position[1] + 6e6, p.position[2])) for p in near.points
+    ]
+    ds = moorage.simulate(dataclasses.replace(near, points=tuple(moved)), duration=1.0)
+    scene = scene_of(ds)
+    origin = np.array([*scene.meta["origin"], 0.0])
+    assert origin.tolist() == [500e3, 6000e3, 0.0]
+    back = unpack(pack(scene.arrays))["position"].reshape(len(ds["time"]), -1, 3) + origin
+    np.testing.assert_allclose(back, ds["node_position"].values, atol=1e-3)
+    ((_, kx, ky, _, phase),) = scene.meta["sea"]["components"]
+    whole = [kx * 5e5 + ky * 6e6 + phase, sea.phase[0]]
+    assert np.exp(1j * whole[0]) == pytest.approx(np.exp(1j * whole[1]), abs=1e-6)
+    assert scene_of(moorage.solve_statics(near)).meta["origin"] == [0.0, 0.0]

@@ -9,11 +9,11 @@ from pathlib import Path
 import browser
 import numpy as np
 import pytest
-from moorings import spread
+from moorings import kind, mooring, spread
 from PIL import Image
 
 import moorage
-from moorage.model import Friction, Waves
+from moorage.model import Friction, Rod, Waves
 
 webdriver = pytest.importorskip("selenium.webdriver", reason="no selenium: pip install moorage[dev]")
 OC4 = Path(__file__).parents[2] / "examples" / "oc4"
@@ -268,6 +268,47 @@ def test_a_page_shows_itself_in_a_frame_of_a_notebook(page, run, tmp_path):
     assert page.execute_script("return moorage.app.times.length") == 121
     page.switch_to.default_content()
     assert browser.complaints(page) == []
+
+
+def test_whatever_a_result_holds_is_shown(page, run, tmp_path):
+    """Names like HTML, values that are not known, one value, one instant, a rod alone: ready, and nothing complains."""
+    odd = run.isel(time=slice(0, 20)).copy(deep=True).assign_attrs(title="<!--<script> & <b>日本</b>")
+    odd["segment_tension"][3:6] = np.nan
+    odd["fairlead_tension"][8, 1] = np.nan
+    still = run.isel(time=[5]).assign(segment_tension=run["segment_tension"].isel(time=[5]) * 0.0 + 5e5)
+    rod = Rod(id=1, rod_type="clamp", kind="fixed", end_a=(0.0, 0.0, -30.0), end_b=(0.0, 0.0, 10.0), segments=4)
+    alone = mooring(kind(), (), (), (rod,), water_depth=60.0)
+    for source in (odd, still, alone):
+        browser.show(page, moorage.view(source).save(tmp_path / "odd.html"))
+        for view in ("side", "top", "close", "overview"):
+            page.execute_script(f"moorage.app.look('{view}', 0)")
+            browser.settle(page)
+        page.execute_script("if (moorage.app.meta.lines.length) moorage.app.select(0)")
+        browser.settle(page)
+        told = page.find_element("id", "legend").text
+        if source is odd:
+            assert page.find_element("id", "title").text == odd.attrs["title"]
+            assert "3 of 20 instants" in page.find_element("id", "notes").text
+            highest = page.find_element("css selector", "#panel tbody tr:last-child td:last-child").text
+            assert float(highest) > 0.0
+        if source is still:
+            assert "500 kN everywhere" in told
+            assert page.execute_script("return moorage.app.lines.data[3]") == pytest.approx(0.5)
+        if source is alone:
+            assert "rod" in told
+            assert "Lines by" not in told
+        assert browser.complaints(page) == []
+
+
+def test_an_open_panel_hides_nothing_that_a_preset_shows(shown):
+    shown.execute_script("moorage.app.select(1)")
+    edge = shown.find_element("id", "panel").rect
+    for view in ("overview", "side", "top"):
+        shown.execute_script(f"moorage.app.look('{view}', 0)")
+        browser.settle(shown)
+        seen = [shown.execute_script(f"return moorage.pixel(...moorage.node({k}))") for k in range(0, 63, 4)]
+        assert min(x for x, _, _ in seen) >= edge["x"] + edge["width"]
+        assert max(x for x, _, _ in seen) < browser.WIDTH
 
 
 def test_rods_and_bodies_are_drawn(page, run, tmp_path):

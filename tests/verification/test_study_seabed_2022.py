@@ -209,6 +209,9 @@ def test_what_the_page_says_of_the_choices(stored):
     assert mooring["twice the segments"]["std"] / mooring["as chosen"]["std"] == pytest.approx(0.9, abs=0.02)
     for name in ("seabed 30 MPa/m", "waves act on the lines too", "without roll"):
         assert mooring[name]["mean"] == pytest.approx(mooring["as chosen"]["mean"], rel=0.005)
+    for name in ("axial damping 0.1 of critical instead of 1", "seabed 0.01 MPa s/m instead of 0.1"):
+        assert 0.87 < mooring[name]["min"] / mooring["as chosen"]["min"] < 0.95
+        assert mooring[name]["mean"] == pytest.approx(mooring["as chosen"]["mean"], rel=0.001)
     wind = {name: one["wind 1"] for name, one in friction.items()}
     assert wind["c_v 1e4"] == pytest.approx(wind["no friction"], rel=0.001)
     assert wind["no friction"] < wind["c_v 1e5"] < wind["saturated damping, c_v 1e6"] < wind["c_v 1e7"]

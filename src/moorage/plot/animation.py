@@ -26,6 +26,7 @@ WIDTH, HEIGHT, DPI = 9.6, 5.4, 100  # 960 x 540 pixels; video needs even numbers
 TILT, TURN = np.radians(20.0), np.radians(-25.0)  # of the look at a mooring that spreads, and none at one in a plane
 PLANAR = 0.02  # a mooring is in a plane when it is no wider than this part of its length
 MARGIN = 0.06
+STEEL, BODY = "#47525C", "#E8B54A"  # rods and bodies, as on the page of `moorage view`
 GRID = 8  # lines of the seabed's grid along its longer side
 FINE = 60  # places along each
 
@@ -157,8 +158,10 @@ class Film:
         values = self.tension.values / 1e3
         self.lines = LineCollection([], cmap="viridis", linewidths=2.2, zorder=3, capstyle="round")
         self.lines.set_clim(float(values.min()), max(float(values.max()), float(values.min()) + 1e-6))
-        for artist in (self.sea, self.lines):
+        self.rods = LineCollection([], colors=STEEL, linewidths=4.0, zorder=4, capstyle="round")
+        for artist in (self.sea, self.lines, self.rods):
             self.scene.add_collection(artist)
+        (self.bodies,) = self.scene.plot([], [], "s", color=BODY, markeredgecolor=STEEL, markersize=7, zorder=5)
         bar = self.figure.colorbar(self.lines, ax=self.scene, shrink=0.8)
         bar.set_label("tension (kN)", fontsize=9)
         bar.ax.tick_params(labelsize=8)
@@ -177,9 +180,20 @@ class Film:
         places = self.look(nodes)
         self.lines.set_segments(list(np.stack([places[self.spans], places[self.spans + 1]], axis=1)))
         self.lines.set_array(tension / 1e3)
+        self.rods.set_segments(list(self.look(self._at("rod_position", t))))
+        self.bodies.set_data(*self.look(self._at("body_position", t)).T)
         self._sea(t)
         self.cursor.set_xdata([t, t])
         self.scene.set_title(f"{self.ds.attrs.get('title', '')}\nt = {t:.1f} s", fontsize=9, loc="left")
+
+    def _at(self, name: str, t: float) -> np.ndarray:
+        """Return where rods (n, 2, 3) or bodies (n, 3) are at an instant; none when there are none."""
+        if name not in self.ds:
+            return np.empty((0, 2, 3)) if name == "rod_position" else np.empty((0, 3))
+        now, values = self.ds["time"].values, self.ds[name]
+        k = int(np.clip(np.searchsorted(now, t, side="right") - 1, 0, len(now) - 2))
+        share = float(np.clip((t - now[k]) / (now[k + 1] - now[k]), 0.0, 1.0))
+        return values[k].values + share * (values[k + 1].values - values[k].values)
 
     def _sea(self, t: float) -> None:
         """Draw the surface of the water, or its section down to the seabed."""

@@ -14,7 +14,7 @@ from matplotlib.gridspec import SubplotSpec
 from moorage.plot.along import plot_along
 from moorage.plot.moorings import moorings, name_of
 from moorage.plot.profile import plot_plan, plot_profile, plot_profiles
-from moorage.plot.style import new_figure
+from moorage.plot.style import new_figure, save
 from moorage.plot.tension import plot_tension
 from moorage.plot.waves import plot_elevation
 from moorage.results.cables import cables
@@ -49,7 +49,7 @@ def profiles_figure(ds: xr.Dataset) -> Figure:
 
 def save_figure(ds: xr.Dataset, path: str | Path) -> None:
     """Write the figure of a result; the ending of the name chooses the format (png, pdf, svg)."""
-    result_figure(ds).savefig(path)
+    save(result_figure(ds), path)
 
 
 def _bands(ds: xr.Dataset) -> Iterator[Band]:

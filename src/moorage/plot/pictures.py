@@ -13,7 +13,7 @@ from moorage.plot.envelope import plot_envelope
 from moorage.plot.figure import profiles_figure
 from moorage.plot.seabed import seabed_map
 from moorage.plot.spectrum import plot_spectrum
-from moorage.plot.style import new_figure
+from moorage.plot.style import new_figure, save
 from moorage.plot.tension import plot_tension
 
 
@@ -44,7 +44,7 @@ def picture(ds: xr.Dataset, what: str) -> Figure:
 
 def save_picture(ds: xr.Dataset, what: str, path: str | Path) -> None:
     """Write one picture of a result; the ending of the name chooses the format (png, pdf, svg)."""
-    picture(ds, what).savefig(path, bbox_inches="tight")
+    save(picture(ds, what), path, bbox_inches="tight")
 
 
 def _history(ds: xr.Dataset) -> Figure:

@@ -66,6 +66,7 @@ def plot_plan(ds: xr.Dataset, ax: Axes) -> Axes:
             ax.plot(chosen[:, 0], chosen[:, 1], marker, color=colour, markersize=3, label=f"{kind} points")
     plain(ax)
     ax.set_aspect("equal", adjustable="datalim")
+    ax.ticklabel_format(style="plain", useOffset=False)
     ax.set_xlabel("x (m)", fontsize=9)
     ax.set_ylabel("y (m)", fontsize=9)
     return ax

@@ -15,6 +15,7 @@ from moorage.model import Attachment, Model
 from moorage.model.turbines import placed
 from moorage.plot.style import COLOURS, QUIET, SEABED, new_figure, plain
 from moorage.results.bed_level import bed_level
+from moorage.results.bending import touchdown
 
 SAMPLES = 400  # places of a section
 MARGIN = 0.25  # of a map around the mooring, as a part of its size
@@ -85,6 +86,7 @@ def seabed_map(source: xr.Dataset | Model, ax: Axes | None = None) -> Axes:
     ax.set_axisbelow(False)
     ax.grid(False)
     ax.set_aspect("equal", adjustable="box")
+    ax.ticklabel_format(style="plain", useOffset=False)  # coordinates of a survey are read whole
     ax.set_xlim(low[0], high[0])
     ax.set_ylim(low[1], high[1])
     ax.set_xlabel("x (m)", fontsize=9)
@@ -134,7 +136,7 @@ def _of_result(ds: xr.Dataset) -> Footprint:
 
     owner, nodes = ds["node_line"].values, start("node_position")
     points, kinds = start("point_position"), ds["point_kind"].values
-    spots = start("touchdown_position") if "touchdown_position" in ds else np.empty((0, 2))
+    spots = start("touchdown_position") if "touchdown_position" in ds else _touchdowns(ds)
     grid = [ds[name].values for name in ("bed_x", "bed_y", "bed_level")] if "bed_level" in ds.coords else _NO_GRID
     return Footprint(
         grid[0],
@@ -145,6 +147,18 @@ def _of_result(ds: xr.Dataset) -> Footprint:
         {kind: points[kinds == kind] for kind in ("fixed", "coupled", "free")},
         spots[np.isfinite(spots).all(axis=-1)],
     )
+
+
+def _touchdowns(ds: xr.Dataset) -> np.ndarray:
+    """Return where the lines (n, 2) meet a flat bed at time 0; NaN where they do not."""
+    nodes = ds["node_position"].values[0] if ds["node_position"].ndim == 3 else ds["node_position"].values
+    gap, owner, arc = (
+        nodes[:, 2] - bed_level(ds, nodes[:, 0], nodes[:, 1]),
+        ds["node_line"].values,
+        ds["arc_length"].values,
+    )
+    own = [owner == id for id in ds["line"].values]
+    return np.array([touchdown(nodes[None, k], gap[None, k], arc[k])[0][0, :2] for k in own]).reshape(-1, 2)
 
 
 def _of_model(model: Model) -> Footprint:

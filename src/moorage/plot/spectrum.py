@@ -8,7 +8,7 @@ from matplotlib.axes import Axes
 from scipy.signal import welch
 
 from moorage.errors import Problem, ResultError
-from moorage.plot.style import COLOURS, QUIET, new_figure, plain
+from moorage.plot.style import COLOURS, QUIET, loudest, new_figure, plain
 from moorage.plot.tension import series
 
 LEAST = 32  # values of which a spectrum is made
@@ -42,10 +42,13 @@ def plot_spectrum(
     """
     frequency, names, density = spectra(ds, variable, start)
     ax = new_figure(8.0, 4.0).add_subplot() if ax is None else ax
-    for k, (name, values) in enumerate(zip(names, density, strict=True)):
-        colour = COLOURS[k] if k < len(COLOURS) else QUIET
-        label = name if k < len(COLOURS) else ("other lines" if k == len(COLOURS) else None)
-        ax.plot(frequency, values, color=colour, linewidth=1.2, label=label)
+    chosen = loudest(density.max(axis=1))
+    rest = np.setdiff1d(np.arange(len(names)), chosen)
+    for k in rest:
+        label = "other lines" if k == rest[0] else None
+        ax.plot(frequency, density[k], color=QUIET, linewidth=0.5, alpha=0.5, label=label)
+    for colour, k in zip(COLOURS, chosen, strict=False):
+        ax.plot(frequency, density[k], color=colour, linewidth=1.2, label=names[k])
     plain(ax)
     held = np.cumsum(density, axis=1) / np.maximum(density.sum(axis=1, keepdims=True), 1e-300)
     last = max(int(np.searchsorted(row, ENERGY)) for row in held)

@@ -2,9 +2,15 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+from typing import Any
+
+import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+
+from moorage.errors import Problem, ResultError
 
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
 WATER, SEABED, QUIET = "#56B4E9", "#8C7B6B", "#9AA0A6"
@@ -23,3 +29,22 @@ def plain(ax: Axes) -> None:
     ax.grid(True, color="#E3E5E8", linewidth=0.6)
     ax.set_axisbelow(True)
     ax.tick_params(labelsize=8)
+
+
+def loudest(peaks: np.ndarray) -> np.ndarray:
+    """Return which of many curves stand out by their peaks (n,): all there are colours for, or the highest three."""
+    return np.sort(np.argsort(peaks)[::-1][: len(COLOURS) if len(peaks) <= len(COLOURS) else 3])
+
+
+def save(figure: Figure, path: str | Path, **options: Any) -> None:
+    """Write a figure; the ending of the name chooses the format."""
+    known = FigureCanvasAgg.get_supported_filetypes()
+    if Path(path).suffix.lower().removeprefix(".") not in known:
+        raise ResultError(
+            Problem("pictures are not written in this format", "end in .png, .pdf or .svg", value=str(path))
+        )
+    try:
+        figure.savefig(path, **options)
+    except OSError as error:
+        why = error.strerror or error
+        raise ResultError(Problem(f"cannot write {path}: {why}", "give another file (-o)")) from error

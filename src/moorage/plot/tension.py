@@ -7,10 +7,9 @@ import xarray as xr
 from matplotlib.axes import Axes
 
 from moorage.plot.moorings import name_of, only_cables
-from moorage.plot.style import COLOURS, QUIET, plain
+from moorage.plot.style import COLOURS, QUIET, loudest, plain
 from moorage.results.cables import cables, end_value
 
-MOST = len(COLOURS)  # more lines than this: only those with the highest peaks are coloured
 CABLE_ENDS = {"fairlead_tension": "hang_off", "anchor_tension": "far"}
 
 
@@ -21,12 +20,12 @@ def plot_tension(ds: xr.Dataset, ax: Axes, variable: str = "fairlead_tension") -
     thinner, so that an equal one under them shows.
     """
     time, (names, values) = ds["time"].values, series(ds, variable)
-    loudest = np.sort(np.argsort(values.max(axis=0))[::-1][: MOST if values.shape[1] <= MOST else 3])
-    rest = np.setdiff1d(np.arange(values.shape[1]), loudest)
+    chosen = loudest(values.max(axis=0))
+    rest = np.setdiff1d(np.arange(values.shape[1]), chosen)
     for k in rest:
         label = "other lines" if k == rest[0] else None
         ax.plot(time, values[:, k], color=QUIET, linewidth=0.5, alpha=0.5, label=label)
-    for colour, k, width in zip(COLOURS, loudest, np.linspace(1.8, 0.8, len(loudest)), strict=False):
+    for colour, k, width in zip(COLOURS, chosen, np.linspace(1.8, 0.8, len(chosen)), strict=False):
         ax.plot(time, values[:, k], color=colour, linewidth=width, label=names[k])
     plain(ax)
     ax.set_xlim(time[0], max(time[-1], time[0] + 1e-9))

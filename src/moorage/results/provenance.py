@@ -37,6 +37,7 @@ def run_attributes(
         **sea_attributes(model.environment.waves),
         **_current(model),
         **_readings(model),
+        **_failures(model),
     }
 
 
@@ -64,6 +65,18 @@ def _current(model: Model) -> dict[str, str]:
     """Return the current in words, where there is one."""
     words = current_words(model.environment.current)
     return {"current": words} if words else {}
+
+
+def _failures(model: Model) -> dict[str, str]:
+    """Return which lines come off where and when, where any do."""
+    words = []
+    for failure in model.failures:
+        when = [f"at {failure.time:g} s"] if failure.time > 0.0 else []
+        when += [f"at {failure.tension / 1e3:g} kN"] if failure.tension > 0.0 else []
+        lines = ("line " if len(failure.lines) == 1 else "lines ") + ", ".join(map(str, failure.lines))
+        if when:
+            words.append(f"{lines} from {failure.attachment} {' or '.join(when)}")
+    return {"failures": "; ".join(words)} if words else {}
 
 
 def _readings(model: Model) -> dict[str, str]:

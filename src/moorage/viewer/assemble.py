@@ -24,7 +24,7 @@ def page(scene: Scene) -> str:
         "title": html.escape(scene.meta["title"]),
         "version": html.escape(scene.meta["version"]),
         "date": html.escape(scene.meta["date"]),
-        "meta": _in_script(json.dumps(scene.meta, separators=(",", ":"))),
+        "meta": _json_in_script(scene.meta),
         "data": pack(scene.arrays),
         "style": source("page/style.css"),
         "three": _in_script(source("vendor/three.min.js")),
@@ -51,6 +51,11 @@ def _scoped(name: str, text: str) -> str:
 def source(name: str) -> str:
     """Return the text of a file of the viewer."""
     return files("moorage.viewer").joinpath(name).read_text("utf-8")
+
+
+def _json_in_script(meta: dict) -> str:
+    """Return JSON without a `<`: in a script element, names with `</script` or `<!--` would mean something."""
+    return json.dumps(meta, separators=(",", ":"), allow_nan=False).replace("<", "\\u003c")
 
 
 def _in_script(text: str) -> str:

@@ -55,6 +55,8 @@ def platforms(places: np.ndarray, labels: list[dict], reach: float) -> list[list
 
 def line_reach(position: np.ndarray, starts: np.ndarray) -> float:
     """Return the median horizontal distance between the ends of lines with nodes (nodes, 3), m."""
+    if not len(starts):
+        return 0.0
     ends = np.append(starts[1:], len(position)) - 1
     return float(np.median(np.linalg.norm(position[ends, :2] - position[starts, :2], axis=-1)))
 

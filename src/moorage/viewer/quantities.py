@@ -12,6 +12,7 @@ from moorage.results.bending import TOUCH, curvatures, segment_tangents
 
 CLEAR, ON_BED, STUCK = 0, 1, 2
 CONTACT = ("clear of the seabed", "on the seabed")
+CONSTANT, QUIET = 1e-6, 1e-9  # what is no range beside the value, and no value
 FRICTION = ("clear of the seabed", "on the seabed, free to slide", "held by friction")
 
 
@@ -39,8 +40,8 @@ class Quantity:
         low, high = (float(f(self.values)) if self.values.size else 0.0 for f in (np.min, np.max))
         if self.key in ("utilisation", "load"):
             low, high = 0.0, max(high, 1.0)
-        if not high - low > 1e-6 * max(abs(high), 1e-9):
-            low, high = low - 0.5 * max(abs(low), 1e-6), high + 0.5 * max(abs(high), 1e-6)
+        if not high - low > CONSTANT * max(abs(high), QUIET):  # one value: a page says it, and needs no scale
+            low = high = 0.0 if abs(high) < QUIET else high
         return {
             "key": self.key, "label": self.label, "unit": self.unit,
             "low": low, "high": high, "states": list(self.states),
@@ -60,7 +61,7 @@ def quantities(ds: xr.Dataset, frames: slice, position: np.ndarray) -> list[Quan
         strength = ds["breaking_load"].values
         tension = _rows(ds, "segment_tension", frames)
         used = np.where(strength > 0.0, tension / np.where(strength > 0.0, strength, 1.0), 0.0)
-        found.append(Quantity("load", "Tension of breaking load", "", at_nodes(used, starts)))
+        found.append(Quantity("load", "Load utilisation", "", at_nodes(used, starts)))
     if _has_limits(ds):
         used = bent * ds["allowed_bend_radius"].values
         found.append(Quantity("utilisation", "Bend utilisation", "", used))
@@ -75,7 +76,7 @@ def count(ds: xr.Dataset) -> int:
 def line_starts(ds: xr.Dataset) -> np.ndarray:
     """Return the first node of every line; the nodes of a line stand together."""
     owner = ds["node_line"].values
-    return np.flatnonzero(np.diff(owner, prepend=owner[0] - 1))
+    return np.flatnonzero(np.diff(owner, prepend=owner[:1] - 1))
 
 
 def at_nodes(values: np.ndarray, starts: np.ndarray) -> np.ndarray:
@@ -84,7 +85,7 @@ def at_nodes(values: np.ndarray, starts: np.ndarray) -> np.ndarray:
     So MoorDyn defines the tension of a node.
     """
     nodes = values.shape[1] + len(starts)
-    first, last = starts, np.append(starts[1:], nodes) - 1
+    first, last = starts, np.append(starts, nodes)[1:] - 1
     before, after = np.empty((len(values), nodes)), np.empty((len(values), nodes))
     inner_or_first = np.setdiff1d(np.arange(nodes), last)
     after[:, inner_or_first] = values
@@ -110,7 +111,7 @@ def _curvature(ds: xr.Dataset, frames: slice, position: np.ndarray, starts: np.n
     if "curvature" in ds:
         return _rows(ds, "curvature", frames)
     out, length = np.zeros(position.shape[:2]), ds["unstretched_length"].values
-    for k, (a, b) in enumerate(zip(starts, np.append(starts[1:], position.shape[1]), strict=True)):
+    for k, (a, b) in enumerate(zip(starts, np.append(starts, position.shape[1])[1:], strict=True)):
         out[:, a + 1 : b - 1] = curvatures(segment_tangents(position[:, a:b]), length[a - k : b - k - 1])
     return out
 

@@ -63,7 +63,9 @@ def end_tensions(ds: xr.Dataset) -> tuple[np.ndarray, np.ndarray]:
     time = ds["time"].values
     both = np.stack([ds[f"{end}_tension"].transpose("time", "line").values for end in ("anchor", "fairlead")], axis=-1)
     table = both.reshape(len(time), -1) / 1e3
-    bins = max(50, MOST_HISTORY // (2 * table.shape[1]))
+    known = np.isfinite(table).all(axis=1)
+    time, table = time[known], table[known]
+    bins = max(50, MOST_HISTORY // max(2 * table.shape[1], 1))
     if len(time) <= 2 * bins:
         return time, table
     edges = np.linspace(0, len(time), bins, endpoint=False).astype(int)

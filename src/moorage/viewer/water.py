@@ -13,10 +13,10 @@ MOST = 200  # components that are drawn
 TOLD = 0.02  # part of the energy that may be left out without a note
 
 
-def sea(ds: xr.Dataset, region: np.ndarray) -> tuple[dict, str]:
+def sea(ds: xr.Dataset, region: np.ndarray, origin: np.ndarray) -> tuple[dict, str]:
     """Return the components (amplitude m, k_x, k_y 1/m, frequency rad/s, phase rad), ramp (s), and a note.
 
-    Still water has none: that of statics, which know no waves.
+    Phases are those at `origin` (2,), m. Still water has no components: that of statics, which know no waves.
     """
     if "wave_frequency" not in ds.coords or "wave_elevation" not in ds:
         return {"components": [], "ramp": 0.0, "cells": 1, "asked": ""}, ""
@@ -25,7 +25,8 @@ def sea(ds: xr.Dataset, region: np.ndarray) -> tuple[dict, str]:
     drawn = np.flatnonzero(2.0 * np.pi >= k * shortest)
     drawn = np.sort(drawn[np.argsort(-a[drawn])][:MOST])
     left_out = 1.0 - (a[drawn] ** 2).sum() / max((a**2).sum(), 1e-300)
-    table = np.stack([a, k * np.cos(b), k * np.sin(b), w, phase], axis=-1)[drawn]
+    kx, ky = k * np.cos(b), k * np.sin(b)
+    table = np.stack([a, kx, ky, w, (phase - kx * origin[0] - ky * origin[1]) % (2.0 * np.pi)], axis=-1)[drawn]
     note = f"The drawn sea surface is without its shortest waves ({100.0 * left_out:.0f} % of its energy)."
     return {
         "components": table.tolist(),

@@ -2,7 +2,7 @@
 
 import { STATES, strip, VIRIDIS } from "./colours.js";
 import { placeOf } from "./data.js";
-import { depthLegend, lineLegend, signLegend } from "./legend.js";
+import { depthLegend, lineLegend, shares, signLegend } from "./legend.js";
 import { FatLines } from "./lines.js";
 import { Bodies, Markers } from "./markers.js";
 import { roundStep, words } from "./numbers.js";
@@ -16,6 +16,7 @@ import { Stage } from "./stage.js";
 const find = (id) => document.getElementById(id);
 const calm = window.matchMedia("(prefers-reduced-motion: reduce)").matches;
 const CLOSE = 0.25; // how much of a line's span a close view shows around what moves
+const DEEP = 4; // times the mooring's width: a deeper seabed is not shown at first
 const RIM = [0.08, 0.11, 0.15, 1];
 
 export class App {
@@ -33,7 +34,6 @@ export class App {
     this.build();
     this.setQuantity(this.meta.quantities[0].key);
     this.stage.resize();
-    this.look("overview", 0);
   }
 
   build() {
@@ -70,7 +70,7 @@ export class App {
     for (const { key } of this.meta.quantities) this.values[key] = new Float32Array(this.tables[key].columns);
     this.across = mainDirection(this.tables.position);
     find("depth").innerHTML = depthLegend(this.seabed);
-    find("signs").innerHTML = signLegend(this.meta.markers);
+    find("signs").innerHTML = signLegend(this.meta);
   }
 
   /** Put everything where it is at the time of the state. */
@@ -82,9 +82,7 @@ export class App {
       this.tables[key].mix(row, states.length ? Math.round(share) : share, this.values[key]); // no state between states
     }
     const values = this.values[quantity.key];
-    const [low, scale] = quantity.states.length
-      ? [-0.5, 1 / quantity.states.length]
-      : [quantity.low, 1 / (quantity.high - quantity.low)];
+    const [low, scale] = shares(quantity);
     const [out, ground] = [this.lines.data, this.shadow.data];
     for (let i = 0; i < values.length; i++) {
       const [x, y] = [position[3 * i], position[3 * i + 1]];
@@ -171,16 +169,23 @@ export class App {
     const [a, b] = [this.meta.low, this.meta.high];
     const [x0, y0, x1, y1] = this.meta.region;
     const box = (xs, ys, zs) => xs.flatMap((x) => ys.flatMap((y) => zs.map((z) => [x, y, z])));
-    const upright = [a[2], Math.max(0, b[2])];
-    let around = box([x0, x1], [y0, y1], upright);
+    const upright = [Math.min(0, a[2]), Math.max(0, b[2])];
+    const bed = this.seabed.low < -DEEP * Math.max(x1 - x0, y1 - y0) ? [] : [this.seabed.low]; // too deep to be shown
+    let around = box([x0, x1], [y0, y1], [...upright, ...bed]);
     if (view === "side") around = box([a[0], b[0]], [a[1], b[1]], upright);
     if (view === "close") around = this.closeUp();
     if (view === "top") around = box([x0, x1], [y0, y1], [0]);
     const across = view === "top" ? [1, 0] : this.across;
-    this.stage.look(view, around, across, calm ? 0 : swift);
+    this.stage.look(view, around, across, this.covered(), calm ? 0 : swift);
     document
       .querySelectorAll("[data-view]")
       .forEach((button) => button.setAttribute("aria-pressed", button.dataset.view === view));
+  }
+
+  /** Pixels at the left and at the top that cards cover. */
+  covered() {
+    const [{ offsetWidth: panel }, about] = [find("panel"), find("about")];
+    return { left: panel && panel < this.stage.size.width / 2 ? panel + 24 : 0, top: about.offsetTop + about.offsetHeight };
   }
 
   /** Places of the clicked line, or around the platform in the middle, or around what moves, or the highest place. */
@@ -196,6 +201,9 @@ export class App {
     const central = (a, b) => away(marker(a[0])) - away(marker(b[0]));
     const groups = [...this.meta.platforms].sort(central);
     const shown = (groups[0] ?? moved).map(marker);
+    const rods = this.meta.rods.flatMap((_, k) => [2 * k, 2 * k + 1]).map(at(this.rodEnds));
+    const bodies = this.meta.bodies.map((_, k) => Array.from(this.bodies.data.subarray(6 * k, 6 * k + 3)));
+    if (!all.length) return [...shown, ...rods, ...bodies, ...this.meta.markers.map((_, k) => marker(k))];
     if (!shown.length) shown.push(all.reduce((a, b) => (b[2] > a[2] ? b : a)));
     const spans = this.meta.lines.map(({ first, last }) => distance(all[first], all[last]));
     const reach = (CLOSE * spans.reduce((a, b) => a + b)) / spans.length;
@@ -244,6 +252,7 @@ function distance(a, b) {
 /** The horizontal direction in which a mooring extends most at the start, pointing along +x; +x where it has none. */
 function mainDirection(position) {
   const n = position.columns / 3;
+  if (!n) return [1, 0];
   const mean = [0, 1].map(
     (k) => Array.from({ length: n }, (_, i) => position.at(0, 3 * i + k)).reduce((a, b) => a + b) / n,
   );

@@ -17,6 +17,7 @@ export function connect(app) {
   for (const note of meta.notes) find("notes").appendChild(document.createElement("li")).textContent = note;
   for (const q of meta.quantities) find("quantity").add(new Option(q.unit ? `${q.label} (${q.unit})` : q.label, q.key));
   document.body.classList.toggle("still", !meta.moving);
+  find("colours").hidden = !meta.lines.length;
   Object.assign(find("slider"), { min: app.times[0], max: app.times[app.times.length - 1], value: app.times[0] });
   find("end").textContent = short(app.times[app.times.length - 1]);
   find("speed").value = app.state.speed = app.duration > 240 ? 5 : 1;

@@ -34,6 +34,7 @@ async function main() {
     const meta = JSON.parse(document.getElementById("meta").textContent);
     const app = new App(meta, await readTables(document.getElementById("data").textContent));
     connect(app);
+    app.look("overview", 0);
     app.frame(performance.now());
     window.moorage = hook(app);
     document.documentElement.dataset.ready = window.moorage.ready.toFixed(0);

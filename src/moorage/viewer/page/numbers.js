@@ -17,7 +17,7 @@ export function roundStep(size) {
 /** Text of a value with as many digits as ticks of that step need, or three figures. */
 export function words(value, step = 0) {
   const size = Math.abs(value);
-  if (size > 0 && (size >= 1e6 || (size < 1e-3 && !(step >= 1e-3))))
+  if (size > 0 && ((size >= 1e6 && !step) || (size < 1e-3 && !(step >= 1e-3))))
     return value.toExponential(step ? 0 : 2).replace("-", "−");
   const digits = step
     ? Math.max(0, -Math.floor(Math.log10(step) + 1e-9))

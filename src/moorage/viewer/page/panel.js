@@ -2,7 +2,9 @@
 
 import { ENDS } from "./colours.js";
 import { words } from "./numbers.js";
-import { Plot } from "./plot.js";
+import { padded, Plot } from "./plot.js";
+
+const NOTHING = 1e-6; // beside a highest value of 1
 
 export class Panel {
   constructor(root, meta, history) {
@@ -29,16 +31,22 @@ export class Panel {
     const { name, ends } = this.meta.lines[line];
     this.find("title").textContent = name;
     this.series = [0, 1].map((end) => this.times.map((_, row) => this.history.at(row, 2 * line + end)));
+    this.most = this.series.flat().reduce((a, b) => Math.max(a, Math.abs(b)), 0);
     this.find("rows").innerHTML = this.series
       .map((values, end) => {
         const range = [values.reduce((a, b) => Math.min(a, b)), values.reduce((a, b) => Math.max(a, b))];
-        const cells = this.meta.moving ? range.map((v) => `<td>${words(v)}</td>`).join("") : "";
+        const cells = this.meta.moving ? range.map((v) => `<td>${this.told(v)}</td>`).join("") : "";
         const sign = `<i style="background:${ENDS[end]}"></i>`;
         const what = `${sign}end ${"AB"[end]} <small>${ends[end]}</small>`;
         return `<tr><th>${what}</th><td data-end="${end}"></td>${cells}</tr>`;
       })
       .join("");
     this.root.querySelectorAll("[data-moving]").forEach((cell) => (cell.hidden = !this.meta.moving));
+  }
+
+  /** Words for a tension; what is nothing beside the highest one is 0. */
+  told(value) {
+    return words(Math.abs(value) < NOTHING * this.most ? 0 : value);
   }
 
   /** Draw the curves. `values` holds the shown quantity of every node. */
@@ -52,7 +60,7 @@ export class Panel {
         curves: [{ x: arc, y: Array.from(values.subarray(first, last + 1)), colour: "#35608d" }],
         xLabel: "arc length from end A (m)",
         yLabel: quantity.unit ? `${quantity.label.toLowerCase()} (${quantity.unit})` : quantity.label.toLowerCase(),
-        range: [quantity.low, quantity.high].map((v, i, [a, b]) => v + (i ? 0.04 : -0.04) * (b - a)),
+        range: padded([quantity.low, quantity.high], 0.04),
       });
     } else {
       const curves = this.series.map((y, end) => ({ x: this.times, y, colour: ENDS[end] }));
@@ -68,7 +76,7 @@ export class Panel {
     this.root.querySelectorAll("[data-end]").forEach((cell, end) => {
       const next = Math.min(row + 1, this.times.length - 1);
       const [a, b] = [this.series[end][row], this.series[end][next]];
-      cell.textContent = words(a + share * (b - a));
+      cell.textContent = this.told(a + share * (b - a));
     });
   }
 }

@@ -1,7 +1,7 @@
 // A picture of the page for reports: the scene at twice its size, with title, legends, scales and time.
 
 import { colourAt, DEPTH, INK, STATES, VIRIDIS } from "./colours.js";
-import { scaleTicks } from "./legend.js";
+import { constant, MIDDLE, scaleTicks } from "./legend.js";
 import { words } from "./numbers.js";
 
 const SIZE = 2;
@@ -34,12 +34,13 @@ export function compose(stage, scales, seabed, facts) {
 }
 
 function legend(c, x, y, quantity) {
-  if (!quantity.states.length) {
+  const one = constant(quantity);
+  if (!quantity.states.length && !one) {
     const title = quantity.unit ? `${quantity.label} (${quantity.unit})` : quantity.label;
     return bar(c, x, y, title, VIRIDIS, quantity.low, quantity.high);
   }
-  return quantity.states.forEach((name, i) => {
-    c.fillStyle = STATES[i];
+  return (one ? [`${quantity.label}: ${one}`] : quantity.states).forEach((name, i) => {
+    c.fillStyle = one ? MIDDLE : STATES[i];
     c.fillRect(x, y - 4 + 18 * i, 18, 7);
     c.strokeStyle = INK;
     c.lineWidth = 1;

@@ -107,7 +107,8 @@ function extent(arrays) {
   return [all.reduce((a, b) => Math.min(a, b), Infinity), all.reduce((a, b) => Math.max(a, b), -Infinity)];
 }
 
-function padded([low, high]) {
-  const room = high > low ? 0.06 * (high - low) : Math.max(0.05 * Math.abs(high), 1e-6);
+/** A range with room at both ends, a share of it. */
+export function padded([low, high], share = 0.06) {
+  const room = high > low ? share * (high - low) : Math.max(0.05 * Math.abs(high), 1e-6);
   return [low - room, high + room];
 }

@@ -27,8 +27,8 @@ export class Scales {
     const centre = floor((x0 + x1) / 2, (y0 + y1) / 2);
     const middle = stage.pixel(...centre, m);
     this.perMetre = stage.perMetre(...centre);
-    this.edge(stage, m, ticks(x0, x1, (x1 - x0) / this.step), (v) => floor(v, nearY), "x", middle);
-    this.edge(stage, m, ticks(y0, y1, (y1 - y0) / this.step), (v) => floor(nearX, v), "y", middle);
+    this.edge(stage, m, ticks(x0, x1, (x1 - x0) / this.step), (v) => floor(v, nearY), 0, middle);
+    this.edge(stage, m, ticks(y0, y1, (y1 - y0) / this.step), (v) => floor(nearX, v), 1, middle);
     const corners = [
       { x: farX, y: nearY },
       { x: nearX, y: farY },
@@ -38,7 +38,7 @@ export class Scales {
     this.turnAxes(stage);
   }
 
-  edge(stage, m, values, at, name, middle) {
+  edge(stage, m, values, at, axis, middle) {
     const places = values.map((v) => [v, stage.pixel(...at(v), m)]).filter(([, p]) => p);
     if (places.length < 2 || !middle) return;
     const [a, b] = [places[0][1], places[places.length - 1][1]];
@@ -47,11 +47,12 @@ export class Scales {
     if (length < Math.max(2 * SHORTEST, ALONG * this.perMetre * (values[values.length - 1] - values[0]))) return;
     const out = this.outward(a, b, middle, 15);
     places.forEach(([v, p], i) => {
-      if (Math.round(v / this.step) % every === 0) this.label(`${words(v, this.step)}`, p[0] + out[0], p[1] + out[1]);
+      const text = words(v + this.meta.origin[axis], this.step);
+      if (Math.round(v / this.step) % every === 0) this.label(text, p[0] + out[0], p[1] + out[1]);
     });
     const [u, v] = this.outward(a, b, middle, 1);
     const far = 34 + 24 * Math.abs(u); // labels are wider than high
-    this.label(`${name} (m)`, (a[0] + b[0]) / 2 + far * u, (a[1] + b[1]) / 2 + far * v, "name");
+    this.label(`${"xy"[axis]} (m)`, (a[0] + b[0]) / 2 + far * u, (a[1] + b[1]) / 2 + far * v, "name");
   }
 
   upright(stage, m, corners) {

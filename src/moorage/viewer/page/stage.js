@@ -46,8 +46,8 @@ export class Stage {
     this.moved = true;
   }
 
-  /** Fly to a preset; `around` are places [x, y, z] that must be seen. */
-  look(view, around, across, swift = SWIFT) {
+  /** Fly to a preset; `around` are places [x, y, z] that must be seen, `covered` pixels at the left and at the top not. */
+  look(view, around, across, covered, swift = SWIFT) {
     const side = new THREE.Vector3(across[1], -across[0], 0); // horizontal, towards the reader
     const right = new THREE.Vector3(across[0], across[1], 0);
     const up = new THREE.Vector3(0, 0, 1);
@@ -58,7 +58,7 @@ export class Stage {
       close: side.clone().multiplyScalar(0.8).addScaledVector(right, 0.55).addScaledVector(up, 0.28),
     }[view].normalize();
     const places = around.map(([x, y, z]) => new THREE.Vector3(x, y, z * this.stretch));
-    const goal = this.fit(places, away, view);
+    const goal = this.fit(places, away, view, covered);
     if (swift <= 0) {
       this.camera.position.copy(goal.position);
       this.controls.target.copy(goal.target);
@@ -77,13 +77,14 @@ export class Stage {
   }
 
   /** Where a camera that looks along -away sees all places, in the part of the screen that panels leave free. */
-  fit(places, away, view) {
+  fit(places, away, view, covered) {
     const right = new THREE.Vector3().crossVectors(this.camera.up, away).normalize();
     const top = new THREE.Vector3().crossVectors(away, right);
     const { width, height } = this.size;
-    const above = view === "overview" ? 70 : 176; // pixels that panels and labels take
+    const above = view === "overview" ? Math.max(70, covered.top) : 176; // pixels that panels and labels take
     const below = view === "top" ? 132 : 148;
-    const span = [width - 2 * BESIDE, height - above - below];
+    const left = Math.max(BESIDE, covered.left);
+    const span = [width - left - BESIDE, height - above - below];
     const perPixel = (2 * Math.tan((ANGLE * Math.PI) / 360)) / height; // at distance 1
     const middle = places.reduce((sum, p) => sum.add(p), new THREE.Vector3()).divideScalar(places.length);
     const target = middle.clone();
@@ -98,6 +99,7 @@ export class Stage {
       });
     }
     target.addScaledVector(top, 0.5 * perPixel * distance * (above - below)); // to the middle of what is free
+    target.addScaledVector(right, 0.5 * perPixel * distance * (BESIDE - left));
     return { target, position: target.clone().addScaledVector(away, distance) };
   }
 

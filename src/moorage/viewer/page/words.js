@@ -4,7 +4,8 @@ import { short, withUnit, words } from "./numbers.js";
 
 export function markerWords(app, k) {
   const { name, kind } = app.meta.markers[k];
-  const [x, y, z] = Array.from(app.markers.data.subarray(3 * k, 3 * k + 3)).map((v) => words(v, app.fine));
+  const place = Array.from(app.markers.data.subarray(3 * k, 3 * k + 3));
+  const [x, y, z] = place.map((v, axis) => words(v + (app.meta.origin[axis] ?? 0), app.fine));
   const title = document.createElement("b");
   title.textContent = name;
   const how = kind.startsWith("coupled") ? "moved" : kind;
@@ -35,7 +36,7 @@ export function facts(app) {
   const time = meta.moving
     ? `${short(app.duration)} s, one instant every ${short(app.interval)} s`
     : "static equilibrium";
-  return [meta.source, `${n} line${n > 1 ? "s" : ""}, ${nodes} segments`, time, meta.sea.asked]
+  return [meta.source, `${n} line${n === 1 ? "" : "s"}, ${nodes} segment${nodes === 1 ? "" : "s"}`, time, meta.sea.asked]
     .filter(Boolean)
     .join(" · ");
 }

@@ -1,20 +1,17 @@
-"""A run on one page for people: what was simulated, in what surroundings, what came out, and what to doubt."""
+"""What a report of a run says: what was simulated, in what surroundings, what came out, and what to doubt."""
 
 from __future__ import annotations
 
-import base64
-import io
 import warnings
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from html import escape
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from math import degrees, isfinite
-from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
 
-from moorage.errors import ModelWarning, MoorageError, Problem, ResultError
+from moorage.errors import ModelWarning, MoorageError
 from moorage.plot import picture, result_figure
 from moorage.results import (
     Cable,
@@ -22,24 +19,15 @@ from moorage.results import (
     envelope,
     has_static_tensions,
     line_summaries,
-    open_result,
+    object_summaries,
     seabed_reports,
     warn_of_lines_off_the_grid,
+    warn_of_overloads,
     warn_of_tight_bends,
 )
 from moorage.results.cables import end_value
 from moorage.words import sea_words
 
-STYLE = """
-body { font: 15px/1.5 system-ui, sans-serif; color: #22262a; max-width: 60rem; margin: 2rem auto; padding: 0 1rem }
-h1 { font-size: 1.6rem } h2 { font-size: 1.15rem; margin-top: 2rem }
-table { border-collapse: collapse; margin: .5rem 0 1rem } caption { text-align: left; color: #5a626a }
-th, td { padding: .15rem .8rem .15rem 0; text-align: right; border-bottom: 1px solid #e3e5e8 }
-th { font-weight: 600 } .facts th, .facts td, td:first-child, th:first-child { text-align: left }
-img { max-width: 100% } pre { background: #f5f6f7; padding: .8rem; overflow: auto; font-size: 12px }
-.doubt { border-left: 4px solid #d55e00; padding: .2rem .8rem; margin: .5rem 0; white-space: pre-wrap }
-@media print { details { display: none } figure, table { break-inside: avoid } }
-"""
 PICTURES = {
     "envelope": "Lowest, mean and highest tension along the lines",
     "spectrum": "Spectra of the fairlead tensions",
@@ -47,60 +35,44 @@ PICTURES = {
 }
 
 
-def report(source: xr.Dataset | str | Path, path: str | Path | None = None) -> Path:
-    """Write one HTML page about a run, which needs nothing else and can be printed.
+class Doubts(NamedTuple):
+    """What a reader should know before the numbers are used."""
 
-    Parameters
-    ----------
-    source : xarray.Dataset or path
-        What a run returned or wrote.
-    path : path, optional
-        Where to write; by default beside the result, ending in `-report.html`.
-
-    Returns
-    -------
-    Path
-        The page.
-
-    Raises
-    ------
-    ResultError
-        It is no run, or the page cannot be written.
-    """
-    ds = source if isinstance(source, xr.Dataset) else open_result(source)
-    if "time" not in ds["fairlead_tension"].dims:
-        raise ResultError(Problem("a report is about a run, and this is a static solution", "take a result of `run`"))
-    beside = Path(ds.encoding.get("source") or Path(str(ds.attrs.get("input_file", ""))).name or "mooring")
-    target = beside.with_name(f"{beside.stem}-report.html") if path is None else Path(path)
-    try:
-        target.write_text(report_page(ds), "utf-8")
-    except OSError as error:
-        why = error.strerror or error
-        raise ResultError(Problem(f"cannot write {target}: {why}", "give another file (-o)")) from error
-    return target
+    texts: Sequence[str]
 
 
-def report_page(ds: xr.Dataset) -> str:
-    """Return the report of a run as HTML."""
-    title = escape(str(ds.attrs["title"]))
-    parts = [
-        f"<h1>{title}</h1>",
-        _section("Warnings", "".join(f'<p class="doubt">{escape(text)}</p>' for text in doubts(ds))),
-        _section("Run", _facts(_run(ds.attrs))),
-        _section("Environment", _facts(_environment(ds.attrs))),
-        _section("Model", _facts(_model(ds)) + _lines(ds)),
-        _section("Tensions", _tensions(ds)),
-        _section("Turbines", _turbines(ds)),
-        _section("Seabed", _seabed(ds)),
-        _section("Cables", _cables(ds)),
-        _section("Figures", "".join(_figures(ds))),
-        _input(ds.attrs),
-    ]
-    head = f'<meta charset="utf-8"><meta name="viewport" content="width=device-width"><title>{title}</title>'
-    body = "\n".join(filter(None, parts))
-    return (
-        f'<!doctype html>\n<html lang="en"><head>{head}<style>{STYLE}</style></head>\n<body>\n{body}\n</body></html>\n'
-    )
+class Facts(NamedTuple):
+    """Names and what is said of each."""
+
+    rows: Mapping[str, str]
+
+
+class Table(NamedTuple):
+    """A table under a caption."""
+
+    caption: str
+    names: Sequence[str]
+    rows: Sequence[Sequence[str]]
+
+
+Block = Doubts | Facts | Table
+
+
+def sections(ds: xr.Dataset) -> dict[str, list[Block]]:
+    """Return what a report says of a run, by the titles of its sections; one of nothing is left out."""
+    found = doubts(ds)
+    parts: dict[str, list[Block]] = {
+        "Warnings": [Doubts(found)] if found else [],
+        "Run": [_facts(_run(ds.attrs))],
+        "Environment": [_facts(_environment(ds.attrs))],
+        "Model": [_facts(_model(ds)), *_lines(ds)],
+        "Tensions": [*_tensions(ds)],
+        "Turbines": [*_turbines(ds)],
+        "Seabed": [*_seabed(ds)],
+        "Cables": [*_cables(ds)],
+        "Bodies and rods": [*_objects(ds)],
+    }
+    return {title: blocks for title, blocks in parts.items() if blocks}
 
 
 def doubts(ds: xr.Dataset) -> list[str]:
@@ -108,6 +80,7 @@ def doubts(ds: xr.Dataset) -> list[str]:
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         warn_of_tight_bends(ds)
+        warn_of_overloads(ds)
         warn_of_lines_off_the_grid(ds)
     texts = [str(w.message) for w in caught if issubclass(w.category, ModelWarning)]
     status = str(ds.attrs["status"])
@@ -156,21 +129,22 @@ def _model(ds: xr.Dataset) -> dict[str, str]:
         "rods": str(ds.sizes.get("rod", "") or ""),
         "bodies": str(ds.sizes.get("body", "") or ""),
         "turbines": str(ds.sizes.get("turbine", "") or ""),
+        "comes off": str(ds.attrs.get("failures", "")),
     }
 
 
-def _lines(ds: xr.Dataset) -> str:
+def _lines(ds: xr.Dataset) -> list[Table]:
     if "segment_line" not in ds.coords:
-        return ""
+        return []
     owner, length = ds["segment_line"].values, ds["unstretched_length"].values
     rows = [
         (str(int(id)), f"{length[owner == id].sum():.6g}", str(int((owner == id).sum())), str(a), str(b))
         for id, a, b in zip(ds["line"].values, ds["end_a_kind"].values, ds["end_b_kind"].values, strict=True)
     ]
-    return _table("Lines", ("line", "length (m)", "segments", "end A", "end B"), rows)
+    return [Table("Lines", ("line", "length (m)", "segments", "end A", "end B"), rows)]
 
 
-def _tensions(ds: xr.Dataset) -> str:
+def _tensions(ds: xr.Dataset) -> list[Table]:
     first = "static" if has_static_tensions(ds) else "at 0 s"
     summaries = line_summaries(ds)
     of_ends = [
@@ -184,13 +158,13 @@ def _tensions(ds: xr.Dataset) -> str:
     ]
     names = ("line", "end", first, "min", "mean", "max", "std")
     rest = ("line", "lowest tension (kN)", "largest uplift at end A (deg)", "shortest grounded length (m)")
-    return _table("Tension at the ends (kN)", names, of_ends) + _table("In the lines", rest, of_lines)
+    return [Table("Tension at the ends (kN)", names, of_ends), Table("In the lines", rest, of_lines)]
 
 
-def _turbines(ds: xr.Dataset) -> str:
+def _turbines(ds: xr.Dataset) -> list[Table]:
     """Return how far each turbine went, and the largest load of the mooring on it."""
     if "turbine_force" not in ds:
-        return ""
+        return []
     rows = []
     for k, id in enumerate(ds["turbine"].values):
         places, turns, force = (ds[f"turbine_{name}"].values[:, k] for name in ("position", "rotation", "force"))
@@ -200,10 +174,10 @@ def _turbines(ds: xr.Dataset) -> str:
         numbers = (f"{away:.2f}", f"{np.degrees(abs(turns)).max():.2f}", f"{level:.1f}", f"{down:.1f}")
         rows.append((f"{id} {ds['turbine_name'].values[k]}".rstrip(), start, *numbers))
     names = ("turbine", "x, y, z at 0 s (m)", "offset (m)", "angle (deg)", "horizontal (kN)", "downward (kN)")
-    return _table("Largest offset and angle, and largest force of the mooring", names, rows)
+    return [Table("Largest offset and angle, and largest force of the mooring", names, rows)]
 
 
-def _seabed(ds: xr.Dataset) -> str:
+def _seabed(ds: xr.Dataset) -> list[Table]:
     names = ("line", "x", "y", "z", "at rest", "least", "largest", "uplift (kN)", "friction (kJ)")
     rows = [
         (
@@ -215,13 +189,13 @@ def _seabed(ds: xr.Dataset) -> str:
         for r in seabed_reports(ds)
     ]
     caption = "Touchdown, its arc length from end A (m), largest uplift force at end A, energy of friction"
-    return _table(caption, names, rows)
+    return [Table(caption, names, rows)] if rows else []
 
 
-def _cables(ds: xr.Dataset) -> str:
+def _cables(ds: xr.Dataset) -> list[Table]:
     """Return the largest tension at the hang-off and the tightest bend of every cable during the run."""
     if "curvature" not in ds:
-        return ""
+        return []
     names = (
         "lines",
         "hang-off tension (kN)",
@@ -231,7 +205,17 @@ def _cables(ds: xr.Dataset) -> str:
         "allowed (m)",
     )
     highest = envelope(ds, "curvature")["maximum"].values
-    return _table("Largest during the run", names, [_cable(ds, cable, highest[cable.nodes]) for cable in cables(ds)])
+    rows = [_cable(ds, cable, highest[cable.nodes]) for cable in cables(ds)]
+    return [Table("Largest during the run", names, rows)]
+
+
+def _objects(ds: xr.Dataset) -> list[Table]:
+    names = ("", "", "start", "end", "lowest", "highest")
+    rows = [
+        (r.name, f"{r.coordinate} ({r.unit})", *(_number(v, 2) for v in (r.start, r.end, r.lowest, r.highest)))
+        for r in object_summaries(ds)
+    ]
+    return [Table("Where they were", names, rows)] if rows else []
 
 
 def _cable(ds: xr.Dataset, cable: Cable, curvature: np.ndarray) -> tuple[str, ...]:
@@ -248,46 +232,20 @@ def _cable(ds: xr.Dataset, cable: Cable, curvature: np.ndarray) -> tuple[str, ..
     )
 
 
-def _figures(ds: xr.Dataset) -> Iterable[str]:
+def figures(ds: xr.Dataset) -> Iterator[tuple[str, Figure | str]]:
+    """Yield captions and figures of a run, or why one is not drawn."""
     drawn: dict[str, Callable[[], Figure]] = {"Over time, from the side, along cables": lambda: result_figure(ds)}
     drawn |= {caption: (lambda what=what: picture(ds, what)) for what, caption in PICTURES.items()}  # type: ignore[misc]
     for caption, draw in drawn.items():
         try:
-            yield _figure(draw(), caption)
+            yield caption, draw()
         except MoorageError as error:
-            yield f"<p>{escape(caption)}: not drawn, {escape(str(error))}</p>"
+            yield caption, str(error)
 
 
-def _figure(figure: Figure, caption: str) -> str:
-    """Return a figure as PNG in the page: lines of long runs would be megabytes as SVG."""
-    with io.BytesIO() as buffer:
-        figure.savefig(buffer, format="png", bbox_inches="tight")
-        data = base64.b64encode(buffer.getvalue()).decode()
-    words = escape(caption)
-    return f'<figure><img alt="{words}" src="data:image/png;base64,{data}"><figcaption>{words}</figcaption></figure>'
-
-
-def _input(attrs: Mapping[str, object]) -> str:
-    text = escape(str(attrs["input"]))
-    return f"<details><summary>Input</summary><pre>{text}</pre></details>" if text else ""
-
-
-def _section(title: str, body: str) -> str:
-    return f"<h2>{title}</h2>\n{body}" if body else ""
-
-
-def _facts(facts: Mapping[str, str]) -> str:
-    rows = "".join(f"<tr><th>{escape(k)}</th><td>{escape(v)}</td></tr>" for k, v in facts.items() if v)
-    return f'<table class="facts">{rows}</table>'
-
-
-def _table(caption: str, names: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    if not rows:
-        return ""
-    head = "".join(f"<th>{escape(name)}</th>" for name in names)
-    body = "".join("<tr>" + "".join(f"<td>{escape(cell)}</td>" for cell in row) + "</tr>" for row in rows)
-    return f"<table><caption>{escape(caption)}</caption><tr>{head}</tr>{body}</table>"
+def _facts(facts: Mapping[str, str]) -> Facts:
+    return Facts({name: value for name, value in facts.items() if value})
 
 
 def _number(value: float, digits: int) -> str:
-    return f"{value:.{digits}f}" if isfinite(value) else "-"
+    return f"{round(value, digits) + 0.0:.{digits}f}" if isfinite(value) else "-"  # + 0.0: no "-0.00"
