@@ -24,6 +24,7 @@ from moorage.physics.weight import wet_shares
 from moorage.solve.bends import end_bending, node_bending, record_joints
 from moorage.solve.fold import UP, waterplane
 from moorage.system.assemble import node_terms, rubbing_load, span_around, unit_or_zero
+from moorage.system.reel import reel, sample_winches
 from moorage.system.ride import surface_band
 
 # columns of Record.lines
@@ -157,6 +158,8 @@ def sample_island(system, state, t, island, sample):
             grounded += system.tension.length[j] * grounded_part(below, below_next)
             below = below_next
         sample[line, TENSION_B], sample[line, LOWEST], sample[line, GROUNDED] = tension, lowest, grounded
+    if len(system.winches.place) > 0:
+        sample_winches(system, state, island, sample, FORCE_A)
 
 
 @kernel
@@ -276,13 +279,19 @@ def record_watched(system, old, now, island_of_line, island, h, s, record, row):
         v0, v1 = get(old.velocity, i), get(now.velocity, i)
         r = hermite(get(old.position, i), v0, get(now.position, i), v1, h, s)
         v = mix(s, v0, v1)
-        f = mix(s, node_force(system, old, line, i)[0], node_force(system, now, line, i)[0])
-        t = (1.0 - s) * node_tension(system, old, line, i) + s * node_tension(system, now, line, i)
         for x in range(3):
             record.watch[row, w, POSITION + x] = r[x]
             record.watch[row, w, VELOCITY + x] = v[x]
-            record.watch[row, w, FORCE + x] = f[x]
-        record.watch[row, w, TENSION] = t
+            record.watch[row, w, FORCE + x] = 0.0
+        record.watch[row, w, TENSION] = 0.0
+        for side in range(2):
+            state, share = (old, 1.0 - s) if side == 0 else (now, s)
+            if len(system.winches.place) > 0:
+                reel(system, island, record.time[row] + (h * (1.0 - s) if side == 1 else -h * s))
+            f = node_force(system, state, line, i)[0]
+            for x in range(3):
+                record.watch[row, w, FORCE + x] += share * f[x]
+            record.watch[row, w, TENSION] += share * node_tension(system, state, line, i)
 
 
 @inlined
@@ -320,7 +329,7 @@ def node_tension(system, state, line, i):
 @kernel
 def record_nodes(system, old, now, island, h, s, record, row):
     """Write the node histories of an island at one time, and the bending that goes with the interpolated shape."""
-    islands = system.islands
+    islands, time = system.islands, record.node_time[row]
     for m in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
         line = islands.lines[m]
         first, last = line_nodes(system.lines, line)
@@ -330,16 +339,21 @@ def record_nodes(system, old, now, island, h, s, record, row):
             put(record.node_position[row], i, r)
             put(record.node_velocity[row], i, mix(s, v0, v1))
             if i < last:
-                j = np.uintp(i - line)
-                e, de = spans(old, i)
-                t0 = segment_tension(system.tension, j, e, de)
-                e, de = spans(now, i)
-                record.segment_tension[row, i - line] = (1.0 - s) * t0 + s * segment_tension(system.tension, j, e, de)
-        for i in range(first, last + 1):
-            for side in range(2):
-                share = 1.0 - s if side == 0 else s
-                record_contact(system, old if side == 0 else now, first, last, i, share, record.contact[row, i])
+                record.segment_tension[row, i - line] = 0.0
+        for side in range(2):
+            state, share = (old, 1.0 - s) if side == 0 else (now, s)
+            if len(system.winches.place) > 0:
+                reel(system, island, time + (h * (1.0 - s) if side == 1 else -h * s))
+            for i in range(first, last + 1):
+                if i < last:
+                    e, de = spans(state, i)
+                    record.segment_tension[row, i - line] += share * segment_tension(
+                        system.tension, np.uintp(i - line), e, de
+                    )
+                record_contact(system, state, first, last, i, share, record.contact[row, i])
         if system.lines.bends[line]:
+            if len(system.winches.place) > 0:
+                reel(system, island, time)
             position = record.node_position[row]
             for i in range(first, last + 1):
                 bend = node_bending(system, old, now, s, position, line, i, record.node_time[row])

@@ -1,0 +1,243 @@
+"""Lines on winches: how many segments are out at a time, and what the compiled winches need.
+
+The inner segments keep the lengths they are described with, those made later that of the last one; the segment at the
+winch has the rest. It is cut in two when it is too long, and joined with its neighbour when it is too short.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from moorage.errors import ModelError, Problem, Source
+from moorage.layout import OF_OBJECTS, State, System
+from moorage.model import Model, Section
+from moorage.model.payout import Paid, paid_out
+from moorage.physics import winch as at
+from moorage.physics.winch import COLUMNS, PLACES, Winches
+
+
+class Winch(NamedTuple):
+    """A line on a winch."""
+
+    line: int  # place in the model
+    end: int  # 0: A, 1: B
+    control: int  # place in the model
+    lengths: tuple[float, ...]  # of the segments of the section at the winch, towards it, m
+    shortest: float  # of a segment as described
+    longest: float
+    what: str
+    source: Source | None
+
+    @property
+    def described(self) -> float:
+        """Length of the section as described, m."""
+        return math.fsum(self.lengths)
+
+    def nominal(self, k: int) -> float:
+        """Length of the k-th segment of the section as an inner one, m."""
+        return self.lengths[min(k, len(self.lengths) - 1)]
+
+    def inner(self, count: int) -> list[float]:
+        """Lengths of all but the last of so many segments, m."""
+        return [self.nominal(k) for k in range(count - 1)]
+
+    def bounds(self, count: int) -> tuple[float, float]:
+        """Return the lengths paid out between which so many segments are right, m."""
+        offset = math.fsum(self.inner(count)) - self.described
+        return offset + self.shortest * self.nominal(max(count - 2, 0)), offset + self.longest * self.nominal(count - 1)
+
+    def count_for(self, paid: float, count: int, time: float) -> int:
+        """Return the number of segments for a length paid out (m) where there have been `count` so far.
+
+        Raises
+        ------
+        ModelError
+            There is not that much line to haul in.
+        """
+        while paid >= self.bounds(count)[1]:
+            count += 1
+        while paid <= self.bounds(count)[0] and (count > 1 or paid < self.bounds(1)[0]):
+            count -= 1
+            if count < 1:
+                left = self.described + paid
+                message = f"{self.what} would have {left:.4g} m left of the section at its winch at {time:.4g} s"
+                least = self.shortest * self.nominal(0)
+                raise ModelError(Problem(message, f"haul in less: {least:.4g} m must stay out", self.source))
+        return count
+
+
+class Reeled(NamedTuple):
+    """How the lines on winches are cut, since a time."""
+
+    count: tuple[int, ...]  # segments of the section at each winch
+    since: float  # s
+    stopped: tuple[float, ...]  # when the line came off its winch, s; infinity: not yet
+
+
+def winches_of(model: Model) -> tuple[Winch, ...]:
+    """Return the lines of a model that are on winches."""
+    place = {line.id: k for k, line in enumerate(model.lines)}
+    found = []
+    for c, control in enumerate(model.controls):
+        for id in control.lines:
+            end, line = "AB".index(control.end), model.lines[place[id]]
+            lengths = line.sections[-1].segment_lengths if end else line.sections[0].segment_lengths[::-1]
+            low, high = control.segment_range
+            found.append(Winch(place[id], end, c, lengths, low, high, f"line {id}", control.source))
+    return tuple(found)
+
+
+def at_start(winches: tuple[Winch, ...], paid: list[Paid]) -> Reeled:
+    """Return how lines are cut at time 0."""
+    counts = [w.count_for(paid[w.control].at(0.0)[0], len(w.lengths), 0.0) for w in winches]
+    return Reeled(tuple(counts), 0.0, (math.inf,) * len(winches))
+
+
+def next_cut(winches: tuple[Winch, ...], paid: list[Paid], now: Reeled, after: float, until: float):
+    """Return when the next segment is made or removed (s), no later than `until` (infinity: none), and how they are cut.
+
+    Raises
+    ------
+    ModelError
+        A line is at its end.
+    """
+    times = [
+        paid[w.control].first_outside(after, until, *w.bounds(count)) if stopped == math.inf else math.inf
+        for w, count, stopped in zip(winches, now.count, now.stopped, strict=True)
+    ]
+    time = min(times, default=math.inf)
+    if time == math.inf:
+        return time, now
+    counts = [
+        recount(w, count, paid[w.control].at(time)[0], time) if at_time == time else count
+        for w, count, at_time in zip(winches, now.count, times, strict=True)
+    ]
+    return time, now._replace(count=tuple(counts), since=time)
+
+
+def recount(winch: Winch, count: int, paid: float, time: float) -> int:
+    """Return the number of segments at a length paid out (m) that has just reached one of the bounds."""
+    low, high = winch.bounds(count)
+    return winch.count_for(max(paid, high) if paid - low > high - paid else min(paid, math.nextafter(low, -1e300)), count, time)
+
+
+def longest_cut(winches: tuple[Winch, ...], paid: list[Paid], duration: float) -> Reeled:
+    """Return how lines are cut when most segments are out in a run, each by itself; refuse a run that hauls in too much."""
+    now = at_start(winches, paid)
+    most, time = list(now.count), 0.0
+    while True:
+        time, now = next_cut(winches, paid, now, time, duration)
+        if time == math.inf:
+            return now._replace(count=tuple(most))
+        most = [max(pair) for pair in zip(most, now.count, strict=True)]
+
+
+def as_cut(model: Model, winches: tuple[Winch, ...], paid: list[Paid], reeled: Reeled) -> Model:
+    """Return a model whose lines are as long, and cut, as they are at a time."""
+    lines = list(model.lines)
+    for w, count, stopped in zip(winches, reeled.count, reeled.stopped, strict=True):
+        out = w.described + paid[w.control].at(min(reeled.since, stopped))[0]
+        inner = w.inner(count)
+        cut = cut_section(lines[w.line].sections[-w.end], [*inner, out - math.fsum(inner)])
+        sections = lines[w.line].sections
+        sections = (*sections[:-1], *cut) if w.end else (*cut[::-1], *sections[1:])
+        lines[w.line] = dataclasses.replace(lines[w.line], sections=sections)
+    return dataclasses.replace(model, lines=tuple(lines))
+
+
+def cut_section(section: Section, lengths: list[float]) -> list[Section]:
+    """Return sections of one segment each."""
+    return [dataclasses.replace(section, length=l, segments=1, grading=1.0) for l in lengths]
+
+
+def no_winches() -> Winches:
+    """Return the parameters of a system without winches."""
+    return Winches(np.zeros((0, PLACES), dtype=np.int64), np.zeros((0, COLUMNS)))
+
+
+def build_winches(system: System, winches, reeled: Reeled, paid: list[Paid], first_track: int, island_of_line, ratio):
+    """Return the compiled winches of a system as it is built; ratio: (segments,) bool, damping by a ratio."""
+    place, table = [], []
+    for w, stopped in zip(winches, reeled.stopped, strict=True):
+        if stopped < math.inf:
+            continue
+        first, last = int(system.lines.node_ptr[w.line]), int(system.lines.node_ptr[w.line + 1]) - 1
+        held, inner, j = (last, last - 1, last - 1 - w.line) if w.end else (first, first + 1, first - w.line)
+        after = int(w.end == 1 and inner != first)
+        place.append((w.line, w.end, first_track + w.control, island_of_line[w.line], held, inner, j, after))
+        table.append(_columns(system, held, inner, j, after, bool(ratio[j])))
+        table[-1][at.OFFSET] = system.tension.length[j] - paid[w.control].at(reeled.since)[0]
+    return Winches(np.array(place, dtype=np.int64).reshape(-1, PLACES), np.array(table).reshape(-1, COLUMNS))
+
+
+def _columns(system: System, held: int, inner: int, j: int, after: int, ratio: bool) -> np.ndarray:
+    """Return the constants of a winch, from what its segment and nodes have in a system that is built."""
+    x, l = np.zeros(COLUMNS), system.tension.length[j]
+    x[at.LENGTH], x[at.SPRING] = l, system.tension.spring[j] * l
+    if ratio:
+        x[at.RATIO] = system.tension.damper[j]
+    else:
+        x[at.DAMPER] = system.tension.damper[j] * l
+    x[at.LIFT] = system.weight.buoyancy[j] / l
+    x[at.WATER : at.WATER + 5] = system.morison.segment[j] / l
+    x[at.HINGE] = (system.bending.after if after else system.bending.before)[inner] * l
+    x[at.CLAMP] = system.bending.before[held] * l
+    share = _node(system, held) / l
+    x[at.SHARE : at.SHARE + at.SHARES] = share
+    x[at.REST : at.REST + at.SHARES] = _node(system, inner) - share * l
+    return x
+
+
+def _node(system: System, i: int) -> np.ndarray:
+    """Return what a node has of its segments, in proportion to their lengths."""
+    soil, contact, friction = system.contact.soil, system.contact, system.friction
+    length, diameter = soil.size[i] if soil.on else (0.0, 0.0)
+    return np.array(
+        [
+            system.weight.dry[i], system.morison.mass[i], *system.morison.node[i], contact.spring[i], contact.damper[i],
+            length, length * diameter, friction.spring[i], friction.damper[i],
+        ]
+    )  # fmt: skip
+
+
+def rows_kept(before: System, after: System, winches: tuple[Winch, ...]) -> np.ndarray:
+    """Return for each row of a system the row that it had before; of a node that is made, that of the inner node."""
+    end = {w.line: w.end for w in winches}
+    rows, old, new = [], before.lines.node_ptr, after.lines.node_ptr
+    for k in range(len(new) - 1):
+        n, m = int(old[k + 1] - old[k]) - 1, int(new[k + 1] - new[k]) - 1  # segments
+        count = np.arange(m + 1)
+        from_fixed = np.minimum(count, n - 1)
+        from_fixed[m] = n
+        rows.append(old[k] + (from_fixed if end.get(k, 1) else n - from_fixed[::-1]))
+    rows.append(np.arange(old[-1], old[-1] + len(after.points.mass) + 2 * len(after.riders.objects)))
+    return np.concatenate(rows)
+
+
+def carry_over(before: System, old: State, after: System, new: State, winches: tuple[Winch, ...]) -> np.ndarray:
+    """Fill a state from one whose lines are cut in another way; return the rows kept.
+
+    Nodes that are made stand where their material is, in the segment at the winch, and move with it.
+    """
+    rows = rows_kept(before, after, winches)
+    for name, target, source in zip(State._fields, new, old, strict=True):
+        target[...] = source if name in OF_OBJECTS else source[rows]
+    for w in winches:
+        first, last = int(before.lines.node_ptr[w.line]), int(before.lines.node_ptr[w.line + 1]) - 1
+        held, inner, j = (last, last - 1, last - 1 - w.line) if w.end else (first, first + 1, first - w.line)
+        a, b = int(after.lines.node_ptr[w.line]), int(after.lines.node_ptr[w.line + 1]) - 1
+        made = (b - a) - (last - first)
+        length, growth, gone = before.tension.length[j], before.tension.growth[j], 0.0
+        for k in range(made):
+            node = b - made + k if w.end else a + made - k
+            segment = node - 1 - w.line if w.end else node - w.line
+            gone += after.tension.length[segment]
+            xi, u = gone / length, old.position[inner] - old.position[held]
+            new.position[node] = old.position[inner] - xi * u
+            new.velocity[node] = (1.0 - xi) * old.velocity[inner] + xi * (old.velocity[held] + growth * u)
+            new.stuck[node] = new.position[node]
+    return rows
