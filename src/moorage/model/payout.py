@@ -22,10 +22,15 @@ class Paid(NamedTuple):
 
     def at(self, time: float) -> tuple[float, float]:
         """Return the length (m) and its rate (m/s) at a time, s."""
-        k = int(np.clip(np.searchsorted(self.knots, time, side="right") - 1, 0, len(self.pieces) - 1))
+        length, rate = self.over(np.array([time]))
+        return float(length[0]), float(rate[0])
+
+    def over(self, time: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Return the lengths (n,), m, and their rates, m/s, at times (n,), s."""
+        k = np.clip(np.searchsorted(self.knots, time, side="right") - 1, 0, len(self.pieces) - 1)
         s = time - self.knots[k]
-        a, b, c, d = self.pieces[k].tolist()
-        return float(((a * s + b) * s + c) * s + d), float((3.0 * a * s + 2.0 * b) * s + c)
+        a, b, c, d = self.pieces[k].T
+        return ((a * s + b) * s + c) * s + d, (3.0 * a * s + 2.0 * b) * s + c
 
     def first_outside(self, after: float, until: float, low: float, high: float) -> float:
         """Return the first time from `after` to `until` (s) at which the length leaves low..high; infinity if never."""

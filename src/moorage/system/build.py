@@ -85,7 +85,6 @@ class Releases(NamedTuple):
     times: dict[int, float]  # failure: the time (s) at which it comes, of those that do
     ends: dict[int, set[tuple[int, int]]]  # failure: line ends (line; 0: A, 1: B) that come off
     rebuild: Callable[[frozenset[int], Reeled | None], Built]  # the system with failures behind it, and lines as cut
-    winches: tuple[Winch, ...] = ()
     most: Reeled | None = None  # how lines are cut in results, which have rows of one number
 
 
@@ -103,7 +102,8 @@ class Built(NamedTuple):
     bodies: Bodies
     body_loads: RigidLoads  # of all bodies by themselves
     rod_loads: RigidLoads  # of all rods that have nodes, beside those of their nodes
-    reeled: Reeled | None  # how the lines on winches are cut; None without any
+    winches: tuple[Winch, ...]
+    reeled: Reeled | None  # how their lines are cut; None without any
     paid: np.ndarray  # (controls,) rows of the tracks that hold what winches have paid out
 
 
@@ -128,7 +128,7 @@ def build(
     winches, paid = winches_of(model), [paid_out(control) for control in model.controls]
     if winches:
         reeled = at_start(winches, paid) if reeled is None else reeled
-        model = as_cut(model, winches, paid, reeled)
+        model = as_cut(model, winches, reeled)
     model = release(model, released)
     holders = holders_of(model, motion, duration, released)
     segments = segment_table(model)
@@ -188,7 +188,7 @@ def build(
     if winches and reeled is not None:
         ratio = ~np.isnan(segments["damping_ratio"])
         system = system._replace(
-            winches=build_winches(system, winches, reeled, paid, first_track, island_of_line, ratio)
+            winches=build_winches(system, winches, reeled, first_track, island_of_line, ratio)
         )
     state = new_state(rows_of(system), len(riders.objects))
     place_objects(holders.objects, riders, state)
@@ -219,6 +219,7 @@ def build(
         bodies,
         build_rigid(model, list(model.bodies), np.ones(len(model.bodies))),
         build_rigid(model, list(rods), np.ones(len(rods))),
+        winches,
         reeled,
         first_track + np.arange(len(paid)),
     )
@@ -315,7 +316,7 @@ def releases_of(model: Model, motion: Motion | None = None, duration: float | No
     winches, paid = winches_of(model), [paid_out(control) for control in model.controls]
     most = longest_cut(winches, paid, duration or 0.0) if winches else None
     return Releases(
-        times, ends, lambda released, reeled: build(model, motion, duration, released, reeled), winches, most
+        times, ends, lambda released, reeled: build(model, motion, duration, released, reeled), most
     )
 
 

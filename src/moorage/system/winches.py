@@ -71,11 +71,11 @@ class Winch(NamedTuple):
 
 
 class Reeled(NamedTuple):
-    """How the lines on winches are cut, since a time."""
+    """How the lines on winches are cut."""
 
     count: tuple[int, ...]  # segments of the section at each winch
-    since: float  # s
-    stopped: tuple[float, ...]  # when the line came off its winch, s; infinity: not yet
+    out: tuple[float, ...]  # length paid out when it was cut, m
+    held: tuple[bool, ...]  # whether the line has not come off its winch
 
 
 def winches_of(model: Model) -> tuple[Winch, ...]:
@@ -93,8 +93,15 @@ def winches_of(model: Model) -> tuple[Winch, ...]:
 
 def at_start(winches: tuple[Winch, ...], paid: list[Paid]) -> Reeled:
     """Return how lines are cut at time 0."""
-    counts = [w.count_for(paid[w.control].at(0.0)[0], len(w.lengths), 0.0) for w in winches]
-    return Reeled(tuple(counts), 0.0, (math.inf,) * len(winches))
+    out = tuple(paid[w.control].at(0.0)[0] for w in winches)
+    counts = tuple(w.count_for(length, len(w.lengths), 0.0) for w, length in zip(winches, out, strict=True))
+    return Reeled(counts, out, (True,) * len(winches))
+
+
+def paid_until(winches: tuple[Winch, ...], paid: list[Paid], now: Reeled, time: float) -> Reeled:
+    """Return the same cut with the lengths paid out up to a time, s."""
+    outs = zip(winches, now.out, now.held, strict=True)
+    return now._replace(out=tuple(paid[w.control].at(time)[0] if held else out for w, out, held in outs))
 
 
 def next_cut(winches: tuple[Winch, ...], paid: list[Paid], now: Reeled, after: float, until: float):
@@ -106,8 +113,8 @@ def next_cut(winches: tuple[Winch, ...], paid: list[Paid], now: Reeled, after: f
         A line is at its end.
     """
     times = [
-        paid[w.control].first_outside(after, until, *w.bounds(count)) if stopped == math.inf else math.inf
-        for w, count, stopped in zip(winches, now.count, now.stopped, strict=True)
+        paid[w.control].first_outside(after, until, *w.bounds(count)) if held else math.inf
+        for w, count, held in zip(winches, now.count, now.held, strict=True)
     ]
     time = min(times, default=math.inf)
     if time == math.inf:
@@ -116,7 +123,7 @@ def next_cut(winches: tuple[Winch, ...], paid: list[Paid], now: Reeled, after: f
         recount(w, count, paid[w.control].at(time)[0], time) if at_time == time else count
         for w, count, at_time in zip(winches, now.count, times, strict=True)
     ]
-    return time, now._replace(count=tuple(counts), since=time)
+    return time, paid_until(winches, paid, now._replace(count=tuple(counts)), time)
 
 
 def recount(winch: Winch, count: int, paid: float, time: float) -> int:
@@ -136,22 +143,36 @@ def longest_cut(winches: tuple[Winch, ...], paid: list[Paid], duration: float) -
         most = [max(pair) for pair in zip(most, now.count, strict=True)]
 
 
-def as_cut(model: Model, winches: tuple[Winch, ...], paid: list[Paid], reeled: Reeled) -> Model:
+def as_cut(model: Model, winches: tuple[Winch, ...], reeled: Reeled) -> Model:
     """Return a model whose lines are as long, and cut, as they are at a time."""
-    lines = list(model.lines)
-    for w, count, stopped in zip(winches, reeled.count, reeled.stopped, strict=True):
-        out = w.described + paid[w.control].at(min(reeled.since, stopped))[0]
+    lengths = []
+    for w, count, out in zip(winches, reeled.count, reeled.out, strict=True):
         inner = w.inner(count)
-        cut = cut_section(lines[w.line].sections[-w.end], [*inner, out - math.fsum(inner)])
+        lengths.append([*inner, w.described + out - math.fsum(inner)])
+    return with_lengths(model, winches, lengths)
+
+
+def with_lengths(model: Model, winches: tuple[Winch, ...], lengths: list[list[float]]) -> Model:
+    """Return a model with segments of other lengths (m, towards the winch) in the sections at the winches."""
+    lines = list(model.lines)
+    for w, own in zip(winches, lengths, strict=True):
         sections = lines[w.line].sections
+        cut = [dataclasses.replace(sections[-w.end], length=l, segments=1, grading=1.0) for l in own]
         sections = (*sections[:-1], *cut) if w.end else (*cut[::-1], *sections[1:])
         lines[w.line] = dataclasses.replace(lines[w.line], sections=sections)
     return dataclasses.replace(model, lines=tuple(lines))
 
 
-def cut_section(section: Section, lengths: list[float]) -> list[Section]:
-    """Return sections of one segment each."""
-    return [dataclasses.replace(section, length=l, segments=1, grading=1.0) for l in lengths]
+def laid_out(model: Model, winches: tuple[Winch, ...], most: Reeled) -> Model:
+    """Return a model without winches whose lines have as many segments, all as long as inner ones."""
+    lengths = [[w.nominal(k) for k in range(count)] for w, count in zip(winches, most.count, strict=True)]
+    return dataclasses.replace(with_lengths(model, winches, lengths), controls=())
+
+
+def come_off(winches: tuple[Winch, ...], reeled: Reeled, ends: set[tuple[int, int]]) -> Reeled:
+    """Return how lines are cut when some ends (line; 0: A, 1: B) come off."""
+    still = [held and (w.line, w.end) not in ends for w, held in zip(winches, reeled.held, strict=True)]
+    return reeled._replace(held=tuple(still))
 
 
 def no_winches() -> Winches:
@@ -159,18 +180,20 @@ def no_winches() -> Winches:
     return Winches(np.zeros((0, PLACES), dtype=np.int64), np.zeros((0, COLUMNS)))
 
 
-def build_winches(system: System, winches, reeled: Reeled, paid: list[Paid], first_track: int, island_of_line, ratio):
+def build_winches(
+    system: System, winches: tuple[Winch, ...], reeled: Reeled, first_track: int, island_of_line, ratio
+) -> Winches:
     """Return the compiled winches of a system as it is built; ratio: (segments,) bool, damping by a ratio."""
     place, table = [], []
-    for w, stopped in zip(winches, reeled.stopped, strict=True):
-        if stopped < math.inf:
+    for w, out, still in zip(winches, reeled.out, reeled.held, strict=True):
+        if not still:
             continue
         first, last = int(system.lines.node_ptr[w.line]), int(system.lines.node_ptr[w.line + 1]) - 1
         held, inner, j = (last, last - 1, last - 1 - w.line) if w.end else (first, first + 1, first - w.line)
         after = int(w.end == 1 and inner != first)
         place.append((w.line, w.end, first_track + w.control, island_of_line[w.line], held, inner, j, after))
         table.append(_columns(system, held, inner, j, after, bool(ratio[j])))
-        table[-1][at.OFFSET] = system.tension.length[j] - paid[w.control].at(reeled.since)[0]
+        table[-1][at.OFFSET] = system.tension.length[j] - out
     return Winches(np.array(place, dtype=np.int64).reshape(-1, PLACES), np.array(table).reshape(-1, COLUMNS))
 
 
