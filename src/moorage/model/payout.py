@@ -124,7 +124,9 @@ def driven(model: Model, payout: Mapping[int, Curve] | None) -> Model:
     if unknown := [channel for channel in payout if channel not in known]:
         raise ModelError([Problem(f"the model has no control channel {channel}", listed) for channel in unknown])
     controls = tuple(
-        dataclasses.replace(control, length=payout[control.channel], rate=None) if control.channel in payout else control
+        dataclasses.replace(control, length=payout[control.channel], rate=None)
+        if control.channel in payout
+        else control
         for control in model.controls
     )
     return dataclasses.replace(model, controls=controls)

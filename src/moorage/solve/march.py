@@ -97,12 +97,16 @@ class March:
 
     def look_ahead(self, until: float = math.inf) -> None:
         """Find out when a winch makes or removes the next segment, up to a time (s) that is not after the run's end."""
-        self._cut, self._as_cut = math.inf, self.built.reeled
+        self.next_cut, self._as_cut = math.inf, self.built.reeled
         if self.built.reeled is not None and self._releases is not None:
-            until = min(until, max(self.duration, self.time))
-            self._cut, self._as_cut = next_cut(
+            until = max(self.duration, self.time) if until == math.inf else until
+            self.next_cut, self._as_cut = next_cut(
                 self.built.winches, paid_by(self.built), self.built.reeled, self.time, until
             )
+
+    def cut_lines(self) -> None:
+        """Go on with the lines cut as `look_ahead` has found, at the time `next_cut`, where the march must stand."""
+        self._take_over(set(), self._as_cut)
 
     def _take_over(self, failures: set[int], reeled: Reeled | None) -> None:
         """Go on with a system in which more line ends have come off, or lines are cut in another way."""
@@ -131,7 +135,7 @@ class March:
         """Return the next time before `until` at which failures come or a winch cuts a line, and which do."""
         times = self._releases.times if self._releases else {}
         later = {k: time for k, time in times.items() if k not in self._released and time < until}
-        time = min([until, self._cut, *later.values()])
+        time = min([until, self.next_cut, *later.values()])
         if time >= until:
             return until, set()
         time = max(time, self.time)
@@ -175,8 +179,8 @@ class March:
                 continue
             if self._water is not None and self._fed < time:
                 self._water.go_on(self.built.state)
-            elif failures or self._cut <= time < until:
-                self._take_over(failures, self._as_cut if self._cut <= time else self.built.reeled)
+            elif failures or self.next_cut <= time < until:
+                self._take_over(failures, self._as_cut if self.next_cut <= time else self.built.reeled)
             else:
                 break
         return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]} if parts[1:] else parts[0]

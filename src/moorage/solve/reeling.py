@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from moorage.model.payout import Paid
-from moorage.physics.winch import LINE, OFFSET, SEGMENT, TRACK
+from moorage.physics.winch import DAMPER, LINE, OFFSET, RATIO, SEGMENT, TRACK
 from moorage.system.build import Built
 from moorage.system.winches import Reeled
 
@@ -33,9 +33,7 @@ def paid_by(built: Built) -> list[Paid]:
     for row in built.paid:
         k = tracks.track[row]
         still = np.array([[0.0, 0.0, 0.0, tracks.rest[row, 0]]])
-        found.append(
-            Paid(tracks.knots, tracks.coefficients[k, :, 0]) if k >= 0 else Paid(np.array([0.0, 1.0]), still)
-        )
+        found.append(Paid(tracks.knots, tracks.coefficients[k, :, 0]) if k >= 0 else Paid(np.array([0.0, 1.0]), still))
     return found
 
 
@@ -81,18 +79,25 @@ def watched_now(watch: tuple[tuple[int, int], ...], built: Built) -> np.ndarray:
 
 
 def in_rows(histories: dict[str, np.ndarray], rows: Rows | None, built: Built) -> dict[str, np.ndarray]:
-    """Return the histories of a system with the lengths of the segments, in the rows of a result."""
+    """Return the histories of a system, and what winches change of the segments, in the rows of a result.
+
+    The latter are the unstretched length (m), its rate over it (1/s), and the damper BA / l (N s/m).
+    """
     time = histories["node_time"]
+    segments = len(built.names.segment_length)
     length = np.tile(built.names.segment_length, (len(time), 1))
+    damper, growth = np.tile(built.system.tension.damper[:segments], (len(time), 1)), np.zeros_like(length)
     paid, winches = paid_by(built), built.system.winches
     for place, table in zip(winches.place, winches.table, strict=True):
-        length[:, place[SEGMENT]] = table[OFFSET] + paid[place[TRACK] - built.paid[0]].over(time)[0]
-    histories = histories | {"segment_length": length}
+        j, (out, rate) = place[SEGMENT], paid[place[TRACK] - built.paid[0]].over(time)
+        length[:, j] = table[OFFSET] + out
+        growth[:, j], damper[:, j] = rate / length[:, j], table[RATIO] + table[DAMPER] / length[:, j]
+    histories = histories | {"segment_length": length, "segment_growth": growth, "segment_damper": damper}
     if rows is None:
         return histories
     out = {"node_time": time}
     for name, values in histories.items():
-        if name in ("segment_tension", "segment_length"):
+        if name.startswith("segment_"):
             out[name] = values[:, rows.segments]
         elif name != "node_time":
             out[name] = values[:, rows.nodes]

@@ -180,16 +180,12 @@ def build(
         rigid=build_rigid(model, holders.objects.things, _reach(holders)),
         current=build_current(env.current),
         sea=build_sea(env.waves),
-        tracks=with_cubics(
-            _tracks(motion, holders, clamps + axes), [p.knots for p in paid], [p.pieces for p in paid]
-        ),
+        tracks=with_cubics(_tracks(motion, holders, clamps + axes), [p.knots for p in paid], [p.pieces for p in paid]),
     )
     first_track = len(system.tracks.rest) - len(paid)
     if winches and reeled is not None:
         ratio = ~np.isnan(segments["damping_ratio"])
-        system = system._replace(
-            winches=build_winches(system, winches, reeled, first_track, island_of_line, ratio)
-        )
+        system = system._replace(winches=build_winches(system, winches, reeled, first_track, island_of_line, ratio))
     state = new_state(rows_of(system), len(riders.objects))
     place_objects(holders.objects, riders, state)
     weight = env.gravity * (m - env.water_density * segments["area"])
@@ -315,9 +311,7 @@ def releases_of(model: Model, motion: Motion | None = None, duration: float | No
     }
     winches, paid = winches_of(model), [paid_out(control) for control in model.controls]
     most = longest_cut(winches, paid, duration or 0.0) if winches else None
-    return Releases(
-        times, ends, lambda released, reeled: build(model, motion, duration, released, reeled), most
-    )
+    return Releases(times, ends, lambda released, reeled: build(model, motion, duration, released, reeled), most)
 
 
 def _breaks(model: Model, released: frozenset[int]) -> Breaks:

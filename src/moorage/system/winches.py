@@ -129,7 +129,9 @@ def next_cut(winches: tuple[Winch, ...], paid: list[Paid], now: Reeled, after: f
 def recount(winch: Winch, count: int, paid: float, time: float) -> int:
     """Return the number of segments at a length paid out (m) that has just reached one of the bounds."""
     low, high = winch.bounds(count)
-    return winch.count_for(max(paid, high) if paid - low > high - paid else min(paid, math.nextafter(low, -1e300)), count, time)
+    return winch.count_for(
+        max(paid, high) if paid - low > high - paid else min(paid, math.nextafter(low, -1e300)), count, time
+    )
 
 
 def longest_cut(winches: tuple[Winch, ...], paid: list[Paid], duration: float) -> Reeled:
