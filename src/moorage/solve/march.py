@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import os
+from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from itertools import pairwise
 
@@ -20,11 +21,11 @@ from moorage.solve.given_water import WaterFeed, takes_water
 from moorage.solve.march_kernel import BROKEN, OK, UNSTABLE, Clocks, march_islands, start_islands
 from moorage.solve.places import place_name
 from moorage.solve.reactions import reactions
-from moorage.solve.reeling import in_rows, length_columns, paid_by, result_rows, watched_now
+from moorage.solve.reeling import in_rows, length_columns, paid_by, result_rows, surge_at, watched_now
 from moorage.solve.record import Record, new_record
 from moorage.system.build import Built, Releases
 from moorage.system.sea import with_interval
-from moorage.system.winches import Reeled, carry_over, come_off, next_cut, paid_until
+from moorage.system.winches import Made, Reeled, carry_over, come_off, next_cut, paid_until, slide_into_balance
 
 Block = dict[str, np.ndarray]
 
@@ -70,8 +71,8 @@ class March:
         self._node_rows = 0
         self._begin(0.0, built)
 
-    def _begin(self, time: float, built: Built) -> None:
-        """Start from the state of a system at a time."""
+    def _begin(self, time: float, built: Built, made: Sequence[Made] = ()) -> None:
+        """Start from the state of a system at a time, in which winches have just made some nodes."""
         if self._water is not None:
             built = takes_water(built, self._water.given)
         sea = with_interval(built.system.sea, self.settings.time_step)
@@ -90,6 +91,10 @@ class March:
         if self._water is not None:
             self._water.start(self.built.state, time)
         start_islands(self.built.system, self.built.state, self.built.work, time)
+        for node in 3 * list(made):
+            surge = surge_at(self.built, node.held)
+            slide_into_balance(self.built.system, self.built.state, node, surge)
+            start_islands(self.built.system, self.built.state, self.built.work, time)
         for target, source in zip(self.old, self.built.state, strict=True):
             target[...] = source
         self._result_rows = result_rows(self.built, self._releases.most if self._releases else None)
@@ -117,7 +122,7 @@ class March:
             reeled = paid_until(self.built.winches, paid_by(self.built), reeled, self.time)
             reeled = come_off(self.built.winches, reeled, off)
         before, after = self.built, self._releases.rebuild(self._released, reeled)
-        rows = carry_over(before.system, before.state, after.system, after.state, before.winches)
+        rows, made = carry_over(before.system, before.state, after.system, after.state, before.winches)
         if self._water is not None:
             self._water.given = self._water.given[:, [*rows, -1]]
         elif before.system.sea.given.shape[1] > 1:
@@ -129,7 +134,7 @@ class March:
                 if name not in OF_OBJECTS:
                     values[ptr[-1] + after.system.lines.end_point[line, end]] = values[row]
         self._counted += self.clocks.counts.sum(axis=0)
-        self._begin(self.time, after)
+        self._begin(self.time, after, made)
 
     def _due(self, until: float) -> tuple[float, set[int]]:
         """Return the next time before `until` at which failures come or a winch cuts a line, and which do."""

@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from moorage.model.payout import Paid
-from moorage.physics.winch import DAMPER, LINE, OFFSET, RATIO, SEGMENT, TRACK
+from moorage.physics.winch import DAMPER, HELD, LINE, OFFSET, RATIO, SEGMENT, SURGE, TRACK
 from moorage.system.build import Built
 from moorage.system.winches import Reeled
 
@@ -35,6 +35,12 @@ def paid_by(built: Built) -> list[Paid]:
         still = np.array([[0.0, 0.0, 0.0, tracks.rest[row, 0]]])
         found.append(Paid(tracks.knots, tracks.coefficients[k, :, 0]) if k >= 0 else Paid(np.array([0.0, 1.0]), still))
     return found
+
+
+def surge_at(built: Built, held: int) -> float:
+    """Return the second derivative (m/s2) of the length at a winch, by the row of the end that it holds."""
+    winches = built.system.winches
+    return float(winches.table[winches.place[:, HELD] == held, SURGE][0])
 
 
 def result_rows(built: Built, most: Reeled | None) -> Rows | None:

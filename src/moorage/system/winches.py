@@ -243,20 +243,36 @@ def rows_kept(before: System, after: System, winches: tuple[Winch, ...]) -> np.n
     return np.concatenate(rows)
 
 
-def carry_over(before: System, old: State, after: System, new: State, winches: tuple[Winch, ...]) -> np.ndarray:
-    """Fill a state from one whose lines are cut in another way; return the rows kept.
+class Made(NamedTuple):
+    """A node that a winch has made."""
 
-    Nodes that are made stand where their material is, in the segment at the winch, and move with it.
+    node: int  # row
+    segment: int  # between it and the next node inside
+    inner: int  # row of the last node that was there before
+    held: int  # row of the end at the winch
+    xi: float  # where it is between the two, in parts of the unstretched length
+    length: float  # of that, m
+    rate: float  # of the length, m/s
+
+
+def carry_over(
+    before: System, old: State, after: System, new: State, winches: tuple[Winch, ...]
+) -> tuple[np.ndarray, list[Made]]:
+    """Fill a state from one whose lines are cut in another way; return the rows kept, and the nodes that are made.
+
+    These stand where their material is, in the segment at the winch, and move with it.
     """
     rows = rows_kept(before, after, winches)
     for name, target, source in zip(State._fields, new, old, strict=True):
         target[...] = source if name in OF_OBJECTS else source[rows]
+    found = []
     for w in winches:
         first, last = int(before.lines.node_ptr[w.line]), int(before.lines.node_ptr[w.line + 1]) - 1
         held, inner, j = (last, last - 1, last - 1 - w.line) if w.end else (first, first + 1, first - w.line)
         a, b = int(after.lines.node_ptr[w.line]), int(after.lines.node_ptr[w.line + 1]) - 1
         made = (b - a) - (last - first)
-        length, growth, gone = before.tension.length[j], before.tension.growth[j], 0.0
+        length, growth, gone = float(before.tension.length[j]), float(before.tension.growth[j]), 0.0
+        inside, end = (b - made - 1, b) if w.end else (a + made + 1, a)
         for k in range(made):
             node = b - made + k if w.end else a + made - k
             segment = node - 1 - w.line if w.end else node - w.line
@@ -265,4 +281,26 @@ def carry_over(before: System, old: State, after: System, new: State, winches: t
             new.position[node] = old.position[inner] - xi * u
             new.velocity[node] = (1.0 - xi) * old.velocity[inner] + xi * (old.velocity[held] + growth * u)
             new.stuck[node] = new.position[node]
-    return rows
+            found.append(Made(node, segment, inside, end, xi, length, growth * length))
+    return rows, found
+
+
+def slide_into_balance(system: System, state: State, made: Made, surge: float) -> None:
+    """Shift a new node along its segment, until the material there is accelerated as it was before.
+
+    The tension on both sides was the same. Now they differ by what the half segments beside the node weigh, and by
+    their drag and inertia; then the forces on the inner node and on the winch are those of before.
+    """
+    i, w, l = made.inner, made.held, made.length
+    e, de = state.position[w] - state.position[i], state.velocity[w] - state.velocity[i]
+    growth = made.rate / l
+    was = (1.0 - made.xi) * state.acceleration[i] + made.xi * state.acceleration[w]
+    was += made.xi * ((2.0 * growth**2 - surge / l) * e - 2.0 * growth * de)
+    along = e / np.linalg.norm(e)
+    mass = system.morison.mass[made.node] + system.morison.node[made.node, 1]
+    beside = made.segment + (1 if w > made.node else -1)
+    stiffness = system.tension.spring[made.segment] + system.tension.spring[beside]
+    shift = mass * (state.acceleration[made.node] - was) @ along / stiffness
+    if abs(shift) < 1e-2 * system.tension.length[[made.segment, beside]].min():  # beyond that a segment is slack
+        state.position[made.node] += shift * along
+        state.stuck[made.node] = state.position[made.node]
