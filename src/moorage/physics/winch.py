@@ -5,16 +5,16 @@ from the inner node moves with the material velocity
 
     v(s) = v_i + (s / l)(v_w - v_i) + (s / l)(l' / l) u,     u = r_i - r_w
 
-(i the inner node, w the winch, ' = d/dt), so that line leaves the winch at l' u / l. Strain and strain rate are those of
-the material: T = EA (L / l - 1) + BA d(L / l)/dt. Half of the segment stands at either node, with mass m l / 2 of the
-line that is there now: what joins the inner node has its velocity already, so that M(t) a = F holds without a term in
-dM/dt. The half at the winch moves with the material that is there, and the momentum of the line that leaves the winch
-is taken from what holds it. Both together are, exactly for the momentum of the whole line,
+(i the inner node, w the winch, ' = d/dt), so that line leaves the winch at l' u / l. Strain and strain rate are those
+of the material: T = EA (L / l - 1) + BA d(L / l)/dt. Half of the segment stands at either node, with mass m l / 2 of
+the line that is there now: what joins the inner node has its velocity already, so that M(t) a = F holds without a term
+in dM/dt. The half at the winch moves with the material that is there, and the momentum of the line that leaves the
+winch is taken from what holds it. Both together are, exactly for the momentum of the whole line,
 
     force on the holder  += -m l' u' - m l'' u / 2
 
-On a taut line that is paid out at a constant rate, u' = l' u / l and the force is the thrust -m l'^2. Added mass is left
-out: water does not come out of a winch.
+On a taut line that is paid out at a constant rate, u' = l' u / l and the force is the thrust -m l'^2. Added mass is
+left out: water does not come out of a winch.
 """
 
 from __future__ import annotations

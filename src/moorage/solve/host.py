@@ -17,8 +17,8 @@ from moorage.solve.given_water import as_water, set_given, takes_water
 from moorage.solve.march import Block, March, Settings
 from moorage.solve.march_kernel import start_islands
 from moorage.solve.record import FORCE_A, Record, new_record
-from moorage.solve.statics import rest, solve
 from moorage.solve.reeling import length_columns, paid_by
+from moorage.solve.statics import rest, solve
 from moorage.system.build import Built, Releases, with_motion
 from moorage.system.winches import Reeled
 

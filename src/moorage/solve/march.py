@@ -21,8 +21,8 @@ from moorage.solve.given_water import WaterFeed, takes_water
 from moorage.solve.march_kernel import BROKEN, OK, UNSTABLE, Clocks, march_islands, start_islands
 from moorage.solve.places import place_name
 from moorage.solve.reactions import reactions
-from moorage.solve.reeling import in_rows, length_columns, paid_by, result_rows, surge_at, watched_now
 from moorage.solve.record import Record, new_record
+from moorage.solve.reeling import in_rows, length_columns, paid_by, result_rows, surge_at, watched_now
 from moorage.system.build import Built, Releases
 from moorage.system.sea import with_interval
 from moorage.system.winches import Made, Reeled, carry_over, come_off, next_cut, paid_until, slide_into_balance

@@ -14,8 +14,8 @@ import numpy as np
 
 from moorage.errors import ModelError, Problem, Source
 from moorage.layout import OF_OBJECTS, State, System
-from moorage.model import Model, Section
-from moorage.model.payout import Paid, paid_out
+from moorage.model import Model
+from moorage.model.payout import Paid
 from moorage.physics import winch as at
 from moorage.physics.winch import COLUMNS, PLACES, Winches
 
