@@ -40,7 +40,7 @@ class Paid(NamedTuple):
         end = np.concatenate([self.knots[1:-1], [np.inf]])
         for k in np.flatnonzero((end > after) & (begin < until)):
             s0, s1 = max(begin[k], after) - self.knots[k], min(end[k], until) - self.knots[k]
-            if s1 < s0 or not self._may_leave(k, s0, s1, low, high):
+            if s1 < s0 or not self._may_leave(int(k), s0, s1, low, high):
                 continue
             times = [s for bound in (low, high) for s in _crossings(self.pieces[k], bound, s0, s1)]
             if times:

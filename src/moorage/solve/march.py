@@ -219,7 +219,7 @@ class March:
     def restore(self, saved: Block) -> None:
         """Go back to a checkpoint."""
         released, reeled = frozenset(saved["released"].tolist()), None
-        if "reeled_count" in saved:
+        if "reeled_segments" in saved:
             reeled = Reeled(*(tuple(saved[f"reeled_{name}"].tolist()) for name in Reeled._fields))
         if (released, reeled) != (self._released, self.built.reeled):
             assert self._releases is not None
@@ -414,7 +414,7 @@ class March:
 def _must_have_nodes(built: Built, watch: tuple[tuple[int, int], ...]) -> None:
     """Refuse to watch nodes that are not there: kernels do not look whether they are."""
     nodes = np.diff(built.names.node_ptr)
-    for w, count in zip(built.winches, built.reeled.count if built.reeled else (), strict=True):
+    for w, count in zip(built.winches, built.reeled.segments if built.reeled else (), strict=True):
         nodes[w.line] += len(w.lengths) - count  # as described
     for line, node in watch:
         if not 0 <= line < len(nodes) or not 0 <= node < nodes[line]:

@@ -48,7 +48,7 @@ def result_rows(built: Built, most: Reeled | None) -> Rows | None:
     if built.reeled is None or most is None:
         return None
     names, extra, end = built.names, np.zeros(len(built.names.lines), dtype=np.int64), {}
-    for w, count, room in zip(built.winches, built.reeled.count, most.count, strict=True):
+    for w, count, room in zip(built.winches, built.reeled.segments, most.segments, strict=True):
         extra[w.line], end[w.line] = room - count, w.end
     parts = []
     for k, more in enumerate(extra):
@@ -72,7 +72,7 @@ def watched_now(watch: tuple[tuple[int, int], ...], built: Built) -> np.ndarray:
     Numbers are those of the material, from the end that is not on the winch; the last is always the end at the winch.
     """
     nodes = np.array(watch, dtype=np.int64).reshape(-1, 2)
-    for w, count in zip(built.winches, built.reeled.count if built.reeled else (), strict=True):
+    for w, count in zip(built.winches, built.reeled.segments if built.reeled else (), strict=True):
         made = count - len(w.lengths)
         last = int(built.names.segment_ptr[w.line + 1] - built.names.segment_ptr[w.line])
         mine = nodes[:, 0] == w.line

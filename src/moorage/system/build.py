@@ -116,8 +116,8 @@ def build(
 ) -> Built:
     """Turn a checked model into arrays, with lines on their first catenary.
 
-    `released` holds the failures that have come (places in `model.failures`), `reeled` how the lines on winches are cut;
-    by default as at time 0.
+    `released` holds the failures that have come (places in `model.failures`), `reeled` how the lines on winches are
+    cut; by default as at time 0.
 
     Raises
     ------

@@ -19,6 +19,8 @@ from moorage.model.payout import Paid
 from moorage.physics import winch as at
 from moorage.physics.winch import COLUMNS, PLACES, Winches
 
+FASTEST = 0.02  # s, in which a segment may pass a winch
+
 
 class Winch(NamedTuple):
     """A line on a winch."""
@@ -73,7 +75,7 @@ class Winch(NamedTuple):
 class Reeled(NamedTuple):
     """How the lines on winches are cut."""
 
-    count: tuple[int, ...]  # segments of the section at each winch
+    segments: tuple[int, ...]  # of the section at each winch
     out: tuple[float, ...]  # length paid out when it was cut, m
     held: tuple[bool, ...]  # whether the line has not come off its winch
 
@@ -105,7 +107,7 @@ def paid_until(winches: tuple[Winch, ...], paid: list[Paid], now: Reeled, time: 
 
 
 def next_cut(winches: tuple[Winch, ...], paid: list[Paid], now: Reeled, after: float, until: float):
-    """Return when the next segment is made or removed (s), no later than `until` (infinity: none), and how they are cut.
+    """Return when the next segment is made or removed (s, infinity: not before `until`), and how lines are cut then.
 
     Raises
     ------
@@ -114,16 +116,16 @@ def next_cut(winches: tuple[Winch, ...], paid: list[Paid], now: Reeled, after: f
     """
     times = [
         paid[w.control].first_outside(after, until, *w.bounds(count)) if held else math.inf
-        for w, count, held in zip(winches, now.count, now.held, strict=True)
+        for w, count, held in zip(winches, now.segments, now.held, strict=True)
     ]
     time = min(times, default=math.inf)
     if time == math.inf:
         return time, now
     counts = [
         recount(w, count, paid[w.control].at(time)[0], time) if at_time == time else count
-        for w, count, at_time in zip(winches, now.count, times, strict=True)
+        for w, count, at_time in zip(winches, now.segments, times, strict=True)
     ]
-    return time, paid_until(winches, paid, now._replace(count=tuple(counts)), time)
+    return time, paid_until(winches, paid, now._replace(segments=tuple(counts)), time)
 
 
 def recount(winch: Winch, count: int, paid: float, time: float) -> int:
@@ -135,20 +137,37 @@ def recount(winch: Winch, count: int, paid: float, time: float) -> int:
 
 
 def longest_cut(winches: tuple[Winch, ...], paid: list[Paid], duration: float) -> Reeled:
-    """Return how lines are cut when most segments are out in a run, each by itself; refuse a run that hauls in too much."""
+    """Return how lines are cut when most segments are out in a run, each by itself.
+
+    Raises
+    ------
+    ModelError
+        More is hauled in than there is, or so fast that segments cannot follow.
+    """
     now = at_start(winches, paid)
-    most, time = list(now.count), 0.0
+    most, time = list(now.segments), 0.0
     while True:
         time, now = next_cut(winches, paid, now, time, duration)
         if time == math.inf:
-            return now._replace(count=tuple(most))
-        most = [max(pair) for pair in zip(most, now.count, strict=True)]
+            return now._replace(segments=tuple(most))
+        _refuse_haste(winches, paid, time)
+        most = [max(pair) for pair in zip(most, now.segments, strict=True)]
+
+
+def _refuse_haste(winches: tuple[Winch, ...], paid: list[Paid], time: float) -> None:
+    """Refuse a winch whose segments pass so fast that a run would only cut lines."""
+    for w in winches:
+        rate, segment = abs(paid[w.control].at(time)[1]), w.nominal(len(w.lengths) - 1)
+        if rate * FASTEST > segment:
+            message = f"{w.what}: a rate of {rate:.4g} m/s at {time:.4g} s makes a segment every {segment / rate:.2g} s"
+            remedy = f"wind slower, or take segments that last {FASTEST:g} s"
+            raise ModelError(Problem(message, remedy, w.source))
 
 
 def as_cut(model: Model, winches: tuple[Winch, ...], reeled: Reeled) -> Model:
     """Return a model whose lines are as long, and cut, as they are at a time."""
     lengths = []
-    for w, count, out in zip(winches, reeled.count, reeled.out, strict=True):
+    for w, count, out in zip(winches, reeled.segments, reeled.out, strict=True):
         inner = w.inner(count)
         lengths.append([*inner, w.described + out - math.fsum(inner)])
     return with_lengths(model, winches, lengths)
@@ -167,7 +186,7 @@ def with_lengths(model: Model, winches: tuple[Winch, ...], lengths: list[list[fl
 
 def laid_out(model: Model, winches: tuple[Winch, ...], most: Reeled) -> Model:
     """Return a model without winches whose lines have as many segments, all as long as inner ones."""
-    lengths = [[w.nominal(k) for k in range(count)] for w, count in zip(winches, most.count, strict=True)]
+    lengths = [[w.nominal(k) for k in range(count)] for w, count in zip(winches, most.segments, strict=True)]
     return dataclasses.replace(with_lengths(model, winches, lengths), controls=())
 
 
