@@ -10,9 +10,9 @@ GRAVITY = 9.80665
 DRY = Environment(water_depth=500.0, water_density=1e-9)  # no water: nothing but weight and inertia
 
 
-def smooth_rate(speed: float, ramp: float = 6.0, stop: float | None = None) -> Curve:
+def smooth_rate(speed: float, ramp: float = 6.0, stop: float | None = None, rows: int = 401) -> Curve:
     """Return a rate that rises to `speed` (m/s) along a cosine in `ramp` s, and comes back before `stop` (s)."""
-    t = np.linspace(0.0, ramp, 41)
+    t = np.linspace(0.0, ramp, rows)
     r = 0.5 * speed * (1.0 - np.cos(np.pi * t / ramp))
     if stop is not None:
         t, r = np.concatenate([t, stop - t[::-1]]), np.concatenate([r, r[::-1]])

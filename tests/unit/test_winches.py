@@ -11,7 +11,7 @@ from typer.testing import CliRunner
 
 import moorage
 from moorage.cli import app
-from moorage.io import read, write_native
+from moorage.io import read, write_moordyn, write_native
 from moorage.model import Attachment, Control, Curve, Failure, OutputChannel, Rod, RodType
 from moorage.model.payout import driven, gentle_slopes, paid_out
 from tests.winches import chain_to_anchor, load_on_rope, smooth_rate, winch
@@ -102,7 +102,7 @@ def test_a_native_file_gives_a_constant_rate(tmp_path):
         ("rate: {x: [0], y: [0]}", "rate of control channel 3 has 1 rows"),
         ("rate: 1, length: {x: [0, 5], y: [0, 1]}", "control channel 3 has both length and rate"),
         ("rate: 1, segment_range: [0.5, 1.2]", "segment range of control channel 3 leaves no segments"),
-        ("rate: .nan", "rate of control channel 3 is not finite"),
+        ("rate: .nan", "rate of control 1 (channel 3) is not a number"),
         ("rates: 1", "key of control 1 (channel 3) is not known"),
         ("rate: 1, end: C", "end of control 1 (channel 3) is not known"),
     ],
@@ -123,7 +123,7 @@ def test_a_line_has_one_winch():
 
 
 def test_a_line_that_would_be_hauled_in_is_refused_before_the_run():
-    with pytest.raises(moorage.ModelError, match=r"line 1 would have 0\.5 m left of the section at its winch at 199\.1"):
+    with pytest.raises(moorage.ModelError, match=r"line 1 would have 0\.5 m left of the section at its winch at 199 s"):
         moorage.simulate(load_on_rope(winch(-0.5)), duration=300.0)
     with pytest.raises(moorage.ModelError, match="line 1 would have"):
         moorage.solve_statics(load_on_rope(winch(length=Curve((0.0, 1.0), (-100.0, 0.0)))))
@@ -193,8 +193,11 @@ def test_a_line_that_comes_off_its_winch_keeps_its_length():
     length = ds["line_length"].values[:, 0]
     assert np.ptp(length[10:]) == 0.0 and length[10] == pytest.approx(104.0)
     assert float(ds["payout_rate"][-1, 0]) == 0.0
-    fall = ds["point_position"].values[-1, 0, 2] - ds["point_position"].values[10, 0, 2]
-    assert fall == pytest.approx(-3.0 * 1.0 - 0.5 * 9.80665 * 9.0, abs=0.5)  # it leaves with 1 m/s
+    half = 5.0 * ds["segment_length"].values[10]  # kg of half segments; all goes on with 1 m/s
+    mass = np.pad(half, (0, 1)) + np.pad(half, (1, 0))
+    mass[0] += 1000.0
+    centre = (ds["node_position"].values[..., 2] * mass).sum(axis=1) / mass.sum()
+    assert centre[-1] - centre[10] == pytest.approx(-3.0 * 1.0 - 0.5 * 9.80665 * 9.0, abs=0.01)
 
 
 def test_a_line_that_breaks_at_a_tension_goes_back_over_cuts():
@@ -213,22 +216,20 @@ def test_methods_agree():
 
 
 def test_a_cable_that_bends_goes_through_its_winch():
-    """A cable clamped to a vertical rod hangs straight down, whatever its stiffness, while it is paid out."""
+    """A cable that is clamped 6 degrees off hangs in the end as one of that length, cut in the same way."""
     model = load_on_rope(winch(smooth_rate(1.0, ramp=2.0)), bending_stiffness=1e4)
-    rod = Rod(id=1, rod_type="hang-off", kind="fixed", end_a=(0.0, 0.0, 0.0), end_b=(0.1, 0.0, -1.0), segments=0)
+    rod = Rod(id=1, rod_type="hang-off", kind="fixed", end_a=(0.0, 0.0, 0.0), end_b=(-0.1, 0.0, 1.0), segments=0)
     line = dataclasses.replace(model.lines[0], end_b=Attachment("rod", 1, "A"))
     kind = RodType(name="hang-off", diameter=0.1, mass_per_length=1.0)
     model = dataclasses.replace(model, lines=(line,), rods=(rod,), rod_types=(kind,), points=model.points[:1])
-    ds = moorage.simulate(model, duration=40.0)
-    still = moorage.solve_statics(
-        dataclasses.replace(
-            model,
-            controls=(),
-            lines=(dataclasses.replace(line, sections=(dataclasses.replace(line.sections[0], length=139.0),)),),
-        )
-    )
-    moment = np.linalg.norm(ds["fairlead_moment"].values[-1, 0])
-    assert moment == pytest.approx(np.linalg.norm(still["fairlead_moment"].values[0]), rel=0.2)  # 14 m segments there
+    model = dataclasses.replace(model, controls=(winch(smooth_rate(1.0, ramp=5.0, stop=30.0)),))
+    ds = moorage.simulate(model, duration=60.0)
+    (section,) = line.sections
+    sections = tuple(dataclasses.replace(section, length=10.0 * n, segments=n) for n in (12,))
+    line = dataclasses.replace(line, sections=(*sections, dataclasses.replace(section, length=5.0, segments=1)))
+    still = moorage.solve_statics(dataclasses.replace(model, controls=(), lines=(line,)))
+    assert ds["line_length"].values[-1, 0] == pytest.approx(125.0)
+    assert np.allclose(ds["fairlead_moment"][-1, 0], still["fairlead_moment"][0], rtol=0.02, atol=1.0)
     assert np.isfinite(ds["curvature"].values).all()
 
 
@@ -313,8 +314,6 @@ def test_a_host_that_asks_for_too_much_leaves_the_state_as_it_was():
 
 
 def test_a_moordyn_file_with_control_runs_from_the_command_line(tmp_path):
-    from moorage.io.moordyn.writer import write_moordyn  # noqa: PLC0415
-
     model = chain_to_anchor(winch())
     write_moordyn(model, tmp_path / "model.dat", "F")
     (tmp_path / "out.csv").write_text("time,channel 1\n0,0\n4,3\n6,3\n")
@@ -329,8 +328,6 @@ def test_a_moordyn_file_with_control_runs_from_the_command_line(tmp_path):
 
 
 def test_a_channel_of_moordyn_may_have_several_rows(tmp_path):
-    from moorage.io.moordyn.writer import write_moordyn  # noqa: PLC0415
-
     model = chain_to_anchor(winch())
     second = dataclasses.replace(model.lines[0], id=2)
     write_moordyn(dataclasses.replace(model, lines=(*model.lines, second)), tmp_path / "model.dat", "F")

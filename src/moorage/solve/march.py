@@ -25,7 +25,16 @@ from moorage.solve.record import Record, new_record
 from moorage.solve.reeling import in_rows, length_columns, paid_by, result_rows, surge_at, watched_now
 from moorage.system.build import Built, Releases
 from moorage.system.sea import with_interval
-from moorage.system.winches import Made, Reeled, carry_over, come_off, next_cut, paid_until, slide_into_balance
+from moorage.system.winches import (
+    Made,
+    Reeled,
+    carry_over,
+    come_off,
+    leaving,
+    next_cut,
+    paid_until,
+    slide_into_balance,
+)
 
 Block = dict[str, np.ndarray]
 
@@ -133,6 +142,8 @@ class March:
             for name, values in zip(after.state._fields, after.state, strict=True):
                 if name not in OF_OBJECTS:
                     values[ptr[-1] + after.system.lines.end_point[line, end]] = values[row]
+            point = ptr[-1] + after.system.lines.end_point[line, end]
+            after.state.velocity[point] += leaving(before.system, before.state, line, end)
         self._counted += self.clocks.counts.sum(axis=0)
         self._begin(self.time, after, made)
 

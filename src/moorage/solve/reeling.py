@@ -38,9 +38,9 @@ def paid_by(built: Built) -> list[Paid]:
 
 
 def surge_at(built: Built, held: int) -> float:
-    """Return the second derivative (m/s2) of the length at a winch, by the row of the end that it holds."""
+    """Return the second derivative (m/s2) of the length at a winch, by the row of the end; 0 where the line is off."""
     winches = built.system.winches
-    return float(winches.table[winches.place[:, HELD] == held, SURGE][0])
+    return float(winches.table[winches.place[:, HELD] == held, SURGE].sum())
 
 
 def result_rows(built: Built, most: Reeled | None) -> Rows | None:

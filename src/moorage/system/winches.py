@@ -304,6 +304,15 @@ def carry_over(
     return rows, found
 
 
+def leaving(system: System, state: State, line: int, end: int) -> np.ndarray:
+    """Return the velocity of the material at a line end over that of what holds it, (3,), m/s: 0 without a winch."""
+    place = system.winches.place
+    for row in place[(place[:, at.LINE] == line) & (place[:, at.END] == end)]:
+        u = state.position[row[at.INNER]] - state.position[row[at.HELD]]
+        return system.tension.growth[row[at.SEGMENT]] * u
+    return np.zeros(3)
+
+
 def slide_into_balance(system: System, state: State, made: Made, surge: float) -> None:
     """Shift a new node along its segment, until the material there is accelerated as it was before.
 
