@@ -26,12 +26,12 @@ import dataclasses
 
 import numpy as np
 import pytest
+from common import must_fail
+from winches import GRAVITY, chain_to_anchor, load_on_rope, smooth_rate, winch
 
 import moorage
 from moorage.model import Curve
 from moorage.solve import march
-from tests.verification.common import must_fail
-from tests.winches import GRAVITY, chain_to_anchor, load_on_rope, smooth_rate, winch
 
 LOAD, MASS, EA = 1000.0, 10.0, 1e7
 

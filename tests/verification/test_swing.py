@@ -15,12 +15,12 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from common import must_fail, rate
 from scipy.integrate import solve_ivp
+from winches import GRAVITY, load_on_rope, smooth_rate, winch
 
 import moorage
 from moorage.model.payout import paid_out
-from tests.verification.common import must_fail, rate
-from tests.winches import GRAVITY, load_on_rope, smooth_rate, winch
 
 LENGTH, ANGLE, STRETCH = 20.0, 0.1, 1000.0 * GRAVITY / 1e8
 

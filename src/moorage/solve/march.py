@@ -39,6 +39,7 @@ from moorage.system.winches import (
 Block = dict[str, np.ndarray]
 
 PROCESSORS = os.cpu_count() or 1
+SETTLE = 5  # Newton steps that put a new node in its place
 THREAD_NODES = 5000  # fewer nodes than this are not worth a second thread (docs/developer/measurements.md)
 
 
@@ -100,7 +101,7 @@ class March:
         if self._water is not None:
             self._water.start(self.built.state, time)
         start_islands(self.built.system, self.built.state, self.built.work, time)
-        for node in 3 * list(made):
+        for node in SETTLE * list(made):
             surge = surge_at(self.built, node.held)
             slide_into_balance(self.built.system, self.built.state, node, surge)
             start_islands(self.built.system, self.built.state, self.built.work, time)

@@ -17,6 +17,7 @@ from moorage.layout import OF_OBJECTS, State, System
 from moorage.model import Model
 from moorage.model.payout import Paid
 from moorage.physics import winch as at
+from moorage.physics.bending import RIGID
 from moorage.physics.winch import COLUMNS, PLACES, Winches
 
 FASTEST = 0.02  # s, in which a segment may pass a winch
@@ -314,10 +315,12 @@ def leaving(system: System, state: State, line: int, end: int) -> np.ndarray:
 
 
 def slide_into_balance(system: System, state: State, made: Made, surge: float) -> None:
-    """Shift a new node along its segment, until the material there is accelerated as it was before.
+    """Shift a new node until the material there is accelerated as it was before: one step of Newton's method.
 
-    The tension on both sides was the same. Now they differ by what the half segments beside the node weigh, and by
-    their drag and inertia; then the forces on the inner node and on the winch are those of before.
+    Along the line always: the tension on both sides was the same, now they differ by what the half segments beside the
+    node weigh, and by their drag and inertia, and the forces on the inner node and on the winch stay what they were.
+    Across it where the line bends, or a clamp at the winch would be bent by the angle of the whole segment at once; a
+    line that does not bend falls into its sag by itself, and keeps its tension.
     """
     i, w, l = made.inner, made.held, made.length
     e, de = state.position[w] - state.position[i], state.velocity[w] - state.velocity[i]
@@ -325,10 +328,33 @@ def slide_into_balance(system: System, state: State, made: Made, surge: float) -
     was = (1.0 - made.xi) * state.acceleration[i] + made.xi * state.acceleration[w]
     was += made.xi * ((2.0 * growth**2 - surge / l) * e - 2.0 * growth * de)
     along = e / np.linalg.norm(e)
-    mass = system.morison.mass[made.node] + system.morison.node[made.node, 1]
-    beside = made.segment + (1 if w > made.node else -1)
-    stiffness = system.tension.spring[made.segment] + system.tension.spring[beside]
-    shift = mass * (state.acceleration[made.node] - was) @ along / stiffness
-    if abs(shift) < 1e-2 * system.tension.length[[made.segment, beside]].min():  # beyond that a segment is slack
-        state.position[made.node] += shift * along
+    normal, axial = system.morison.mass[made.node] + system.morison.node[made.node, :2]
+    pair = np.array([made.segment, made.segment + (1 if w > made.node else -1)])
+    missing = state.acceleration[made.node] - was
+    ahead = missing @ along
+    shift = axial * ahead / system.tension.spring[pair].sum() * along
+    stiffness = sideways(system, made, pair, np.linalg.norm(e) / l - 1.0)
+    if stiffness > 0.0:
+        shift += normal * (missing - ahead * along) / stiffness
+    if np.linalg.norm(shift) < 0.2 * system.tension.length[pair].min():  # beyond that a segment is slack
+        state.position[made.node] += shift
         state.stuck[made.node] = state.position[made.node]
+
+
+def sideways(system: System, made: Made, pair: np.ndarray, strain: float) -> float:
+    """Return the stiffness (N/m) of a new node across its line, from tension and bending; 0 without bending.
+
+    pair: the segments beside it, first that inside.
+    """
+    p, (a, b) = system.bending, system.tension.length[pair]
+
+    def hinge(i: int) -> float:
+        k1, k2 = p.before[i], p.after[i]
+        return k1 if k2 == RIGID else k1 * k2 / max(k1 + k2, 1e-300)
+
+    inside = made.node - 1 if made.held > made.node else made.node + 1
+    own, inner, clamp = hinge(made.node), hinge(inside), hinge(made.held)
+    if own <= 0.0:
+        return 0.0
+    pull = max(strain, 0.0) * (system.tension.spring[pair] * system.tension.length[pair]).mean()
+    return float((pull / a + pull / b) + own * (1.0 / a + 1.0 / b) ** 2 + inner / a**2 + clamp / b**2)
