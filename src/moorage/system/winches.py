@@ -333,7 +333,7 @@ def slide_into_balance(system: System, state: State, made: Made, surge: float) -
     missing = state.acceleration[made.node] - was
     ahead = missing @ along
     shift = axial * ahead / system.tension.spring[pair].sum() * along
-    stiffness = sideways(system, made, pair, np.linalg.norm(e) / l - 1.0)
+    stiffness = sideways(system, made, pair, float(np.linalg.norm(e)) / l - 1.0)
     if stiffness > 0.0:
         shift += normal * (missing - ahead * along) / stiffness
     if np.linalg.norm(shift) < 0.2 * system.tension.length[pair].min():  # beyond that a segment is slack
