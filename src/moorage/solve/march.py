@@ -24,17 +24,9 @@ from moorage.solve.reactions import reactions
 from moorage.solve.record import Record, new_record
 from moorage.solve.reeling import in_rows, length_columns, paid_by, result_rows, surge_at, watched_now
 from moorage.system.build import Built, Releases
+from moorage.system.recut import Made, carry_over, leaving, slide_into_balance
 from moorage.system.sea import with_interval
-from moorage.system.winches import (
-    Made,
-    Reeled,
-    carry_over,
-    come_off,
-    leaving,
-    next_cut,
-    paid_until,
-    slide_into_balance,
-)
+from moorage.system.winches import Reeled, come_off, next_cut, paid_until
 
 Block = dict[str, np.ndarray]
 
