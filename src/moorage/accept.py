@@ -34,6 +34,15 @@ def accept(model: Model) -> Model:
     return placed(model)
 
 
+def warn_of_idle_winches(model: Model) -> None:
+    """Warn of winches that nothing drives."""
+    for control in model.controls:
+        if control.length is None and control.rate is None:
+            what = f"nothing drives control channel {control.channel}: its lines keep their length"
+            remedy = "give length or rate with the control, payout to simulate(), or --payout"
+            warnings.warn(str(Problem(what, remedy, control.source)), ModelWarning, stacklevel=3)
+
+
 def check_water(model: Model, water: object, interval: float) -> None:
     """Refuse waves that are given twice, or that nobody gives."""
     environment, problems = model.environment, []

@@ -5,11 +5,13 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
-from moorage.errors import InputError, Problem
+from moorage.errors import InputError, Problem, Source
 from moorage.io import is_driver, is_farm, motion_of_turbines, read, read_driver, read_farm, read_motion
+from moorage.io.tables import read_columns
+from moorage.io.text import Findings
 
 if TYPE_CHECKING:
-    from moorage.model import Model, Motion
+    from moorage.model import Curve, Model, Motion
 
 
 class Case(NamedTuple):
@@ -48,3 +50,23 @@ def read_case(file: Path, motion: Path | None, duration: float | None, raise_to_
     return case._replace(
         duration=case.duration if duration is None else duration, dt_out=case.model.output_interval or case.dt_out
     )
+
+
+def read_payout(file: Path, model: Model) -> dict[int, Curve]:
+    """Read what winches pay out: time (s), and a length (m) for each control channel in the order of the model.
+
+    Raises
+    ------
+    InputError
+        The file has other columns.
+    """
+    from moorage.model import Curve  # noqa: PLC0415
+
+    channels, found = [control.channel for control in model.controls], Findings()
+    if not channels:
+        raise InputError(Problem("the model has no control channels", "leave --payout out", Source(str(file))))
+    width = 1 + len(channels)
+    table = read_columns(file, "payout", range(width, width + 1), found, Source(str(file)))
+    found.raise_any()
+    time, *lengths = zip(*table, strict=True)
+    return {channel: Curve(time, length, file.name) for channel, length in zip(channels, lengths, strict=True)}

@@ -17,7 +17,7 @@ from typer.core import TyperGroup
 
 import moorage  # its names are imported when they are used: --help must not wait for numba, xarray and matplotlib
 from moorage import console
-from moorage.case import read_case
+from moorage.case import read_case, read_payout
 from moorage.model.turbines import turbines_have_places
 
 if TYPE_CHECKING:
@@ -143,6 +143,9 @@ def run(
     resume: Annotated[bool, typer.Option("--resume", help="Go on where an interrupted run stopped.")] = False,
     output: Annotated[Path | None, typer.Option("-o", metavar="OUT.nc", help="Result (default: FILE's name).")] = None,
     moordyn_out: Annotated[bool, typer.Option("--moordyn-out", help="Write MoorDyn's .out files too.")] = False,
+    payout: Annotated[
+        Path | None, typer.Option(help="Time, and length paid out by each control channel (CSV).")
+    ] = None,
     raise_to_seabed: Raise = False,
 ) -> None:
     """Simulate a mooring in time; write a NetCDF file and a figure, and print a table."""
@@ -170,6 +173,7 @@ def run(
                 resume=resume,
                 progress=progress,
                 moordyn_out=target.with_suffix("") if moordyn_out else None,
+                payout=read_payout(payout, case.model) if payout else None,
             )
     except moorage.RunInterrupted as error:
         message = f"stopped at {error.time:g} s of {case.duration:g} s; results up to there are in {target}\n"

@@ -40,6 +40,7 @@ from moorage.physics.sea_table import FIELDS, TERMS
 from moorage.physics.soil import FRESH
 from moorage.physics.tension import Tension
 from moorage.physics.weight import Weight
+from moorage.physics.winch import Winches
 
 
 class Lines(NamedTuple):
@@ -128,6 +129,7 @@ class System(NamedTuple):
     joints: Joints
     riders: Riders
     breaks: Breaks
+    winches: Winches
     tension: Tension
     bending: Bending
     weight: Weight

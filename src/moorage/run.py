@@ -13,10 +13,11 @@ import numpy as np
 import xarray as xr
 
 from moorage._jit import mark_warm
-from moorage.accept import accept, check_settings, check_water
+from moorage.accept import accept, check_settings, check_water, warn_of_idle_winches
 from moorage.at_rest import records_at_rest, static_tensions
 from moorage.errors import ModelWarning, SimulationError
-from moorage.model import Attachment, Environment, Line, LineType, Model, Motion, OutputChannel, Point, Section
+from moorage.model import Attachment, Curve, Environment, Line, LineType, Model, Motion, OutputChannel, Point, Section
+from moorage.model.payout import driven
 from moorage.results import (
     Checkpoint,
     Layout,
@@ -52,6 +53,7 @@ from moorage.solve.statics import rest, solve
 from moorage.solve.stiffness import platform_stiffness
 from moorage.streaming import Progress, stream
 from moorage.system.build import Built, build, releases_of
+from moorage.system.winches import as_cut, laid_out
 
 VERSION = version("moorage")
 
@@ -82,8 +84,9 @@ def solve_statics(model: Model) -> xr.Dataset:
     attrs = run_attributes(model, None, {"start": "static", **friction_in_statics(model)}, VERSION) | {
         "where": equilibrium.where
     }
+    shown = model if built.reeled is None else as_cut(model, built.winches, built.reeled)
     ds = static_dataset(
-        _layout(model, built, "time"), block, stiffness, equilibrium.residual, equilibrium.iterations, attrs
+        _layout(model, shown, built, "time"), block, stiffness, equilibrium.residual, equilibrium.iterations, attrs
     )
     warn_of_tight_bends(ds)
     warn_of_overloads(ds)
@@ -119,6 +122,7 @@ def simulate(
     resume: bool = False,
     progress: Progress | None = None,
     moordyn_out: str | Path | None = None,
+    payout: Mapping[int, Curve] | None = None,
 ) -> xr.Dataset:
     """Simulate a mooring in time.
 
@@ -158,6 +162,9 @@ def simulate(
     moordyn_out : path, optional
         Root of MoorDyn's text files, which are written too: root.out with the channels of the model, and root_Line1.out
         and so on for the lines and rods that ask (root.MD.out and root.MD.Line1.out for a file of MoorDyn-F).
+    payout : mapping of int to Curve, optional
+        By control channel, the length (m) that winches pay out over time (s), in place of what the model says; see
+        `Control`.
 
     Returns
     -------
@@ -186,7 +193,8 @@ def simulate(
     if water is not None:
         chosen |= {"water": getattr(water, "__qualname__", type(water).__qualname__), "water_interval": water_interval}
     check_settings(chosen, resume, output)
-    model = accept(model)
+    model = accept(driven(model, payout))
+    warn_of_idle_winches(model)
     check_water(model, water, water_interval)
     warn_of_repetition(model.environment.waves, duration)
     warn_of_short_current(model.environment.current, duration)
@@ -202,8 +210,12 @@ def simulate(
         static = static_tensions(built) if chosen["start"] == "static" else {}
         warn_of_clamps(built)
     feed = None if water is None else WaterFeed(water, float(water_interval), len(built.state.position))
-    layout = _layout(model, built, _node_dimension(settings), motion, static, feed)
     releases = releases_of(model, motion, duration)
+    shown, room = model, built
+    if releases.most is not None:  # results have room for all segments that will be out
+        shown = laid_out(model, built.winches, releases.most)
+        room = build(shown, motion, duration)
+    layout = _layout(model, shown, room, _node_dimension(settings), motion, static, feed)
     march = March(built, settings, (rows["time"] - 1) * settings.dt_out, releases, feed)
     if saved is not None:
         march.restore(saved.state)
@@ -217,7 +229,7 @@ def simulate(
     if moordyn_out is not None:
         rows_written = _rows_written(saved.rows, layout.node_time) if saved else None
         nodes = settings.dt_nodes is not None
-        text = MoordynOut(Path(moordyn_out), model, built, layout.outputs, nodes, rows_written, VERSION, feed)
+        text = MoordynOut(Path(moordyn_out), shown, room, layout.outputs, nodes, rows_written, VERSION, feed)
     if output is None:
         result = stream(march, MemoryResult(layout, attrs), layout, progress, text=text)
     else:
@@ -315,15 +327,19 @@ def _node_dimension(settings: Settings) -> str:
 
 def _layout(
     model: Model,
+    shown: Model,
     built: Built,
     node_time: str,
     motion: Motion | None = None,
     static: Mapping[str, np.ndarray] | None = None,
     water: WaterFeed | None = None,
 ) -> Layout:
-    index = make_index(model, built.names)
-    bending = bending_of(model, built, index.allowed_bend_radius)
+    """Return what results have; `shown` is the model with its lines cut as `built`."""
+    index = make_index(shown, built.names)
+    bending = bending_of(shown, built, index.allowed_bend_radius)
     outputs = plan_outputs(model, built, water)
-    seabed, sea = seabed_of(model, built), water or model.environment.waves
+    seabed, sea = seabed_of(shown, built), water or model.environment.waves
     carried, turbines = carried_of(model, built, bool(node_time)), turbines_of(model, motion)
-    return Layout(index, outputs, node_time, bending, seabed, sea, carried, turbines, static or {})
+    return Layout(
+        index, outputs, node_time, bending, seabed, sea, carried, turbines, static or {}, bool(model.controls)
+    )  # fmt: skip

@@ -9,6 +9,7 @@ import numpy as np
 from moorage.accept import accept, check_settings
 from moorage.errors import Problem, SimulationError, UnsupportedError
 from moorage.model import Model
+from moorage.model.payout import paid_out
 from moorage.solve.coupling import Coupling, described
 from moorage.solve.host import HostMarch
 from moorage.solve.march import Block, Settings
@@ -69,7 +70,9 @@ class Simulation:
             raise UnsupportedError(Problem("failures come in simulate() only", "remove them", model.failures[0].source))
         self.model = model
         built = build(inside)
-        self._host = HostMarch(built, Settings(method=method, **chosen), self._hosts_water)  # type: ignore[arg-type]
+        cut = (lambda reeled: build(inside, reeled=reeled)) if model.controls else None
+        self._host = HostMarch(built, Settings(method=method, **chosen), self._hosts_water, cut)  # type: ignore[arg-type]
+        self._paid = {c.channel: paid_out(c) for c in model.controls if c.length is not None or c.rate is not None}
         self._coupling = Coupling(inside, built, self._host.driven)
         self.degrees_of_freedom = self._coupling.owners
         self.points = np.array([id for kind, id, _ in self.degrees_of_freedom if kind == "point"], dtype=np.int64)
@@ -110,14 +113,48 @@ class Simulation:
         ----------
         position, velocity : (m, 3) array or vector
             m and m/s, of objects also rad and rad/s (rates of the angles); on the way each coupled point, and each
-            point of a coupled object, follows the cubic between the two ends.
+            point of a coupled object, follows the cubic between the two ends. So does the length that a winch has paid
+            out; a winch without a table, and without `set_payout` before the step, stands still at its end.
         """
+        self._follow_tables(time)
         if not self._flat:
             return self._host.step(time, position, velocity)
         pose, rate = self._vector("position", position), self._vector("velocity", velocity)
         pulls = self._host.step(time, *self._coupling.at(pose, rate))
         self._pose = pose
         return self._coupling.forces(self._host, pulls, pose)
+
+    def set_payout(self, channel: int, length: float, rate: float = 0.0) -> None:
+        """Say what the winches of a control channel have paid out at the end of the next step.
+
+        Parameters
+        ----------
+        channel : int
+        length : float
+            Since the start, m; negative: hauled in.
+        rate : float
+            Of that length, m/s.
+        """
+        channels = [control.channel for control in self.model.controls]
+        if channel not in channels:
+            listed = f"its channels are {', '.join(map(str, channels))}" if channels else "it has none"
+            raise SimulationError(f"set_payout(): the model has no control channel {channel}: {listed}", self.time)
+        if channel in self._paid:
+            raise SimulationError(f"set_payout(): channel {channel} follows the table of the model", self.time)
+        if not np.isfinite([length, rate]).all():
+            what = f"set_payout(): length {length} m and rate {rate} m/s of channel {channel} must be finite numbers"
+            raise SimulationError(what, self.time)
+        self._host.paid_next[channels.index(channel)] = length, rate
+
+    def _follow_tables(self, time: float) -> None:
+        for k, control in enumerate(self.model.controls):
+            if control.channel in self._paid and np.isfinite(time):
+                self._host.paid_next[k] = self._paid[control.channel].at(float(time))
+
+    @property
+    def line_lengths(self) -> np.ndarray:
+        """Unstretched lengths of the lines now, (lines,), m, in the order of the file."""
+        return self._host.line_lengths()
 
     def _vector(self, name: str, values) -> np.ndarray:
         vector = np.array(values, dtype=float)

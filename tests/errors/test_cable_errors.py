@@ -222,7 +222,9 @@ FOLDED = {
 
 @pytest.mark.parametrize("end", FOLDED)
 def test_two_cables_on_one_end_of_a_joint_are_worth_a_warning(joined, end):
-    message = f"model.dat:12: cables 1 and 2 are all tied to end {end} of rod 1(.|\\n)*one to end A and the other to end B"
+    message = (
+        f"model.dat:12: cables 1 and 2 are all tied to end {end} of rod 1(.|\\n)*one to end A and the other to end B"
+    )
     with pytest.warns(ModelWarning, match=message):
         moorage.simulate(read(joined(FOLDED[end])), start="as-given", duration=0.1)
 

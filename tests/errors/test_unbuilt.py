@@ -7,7 +7,10 @@ import pytest
 from moorage.errors import Source, UnsupportedError
 from moorage.io import read
 from moorage.model import (
+    Attachment,
+    BendStiffener,
     Control,
+    Curve,
     ExternalLoad,
     Rod,
     UnreadWater,
@@ -35,6 +38,7 @@ def _around(**changes):
     return lambda m: dataclasses.replace(m, environment=dataclasses.replace(m.environment, **changes))
 
 
+STIFFENER = BendStiffener(end="B", length=2.0, root_diameter=0.5, tip_diameter=0.3, youngs_modulus=1e8)
 PLACE = ((0.0, 0.0, -1.0), (0.0, 0.0, -2.0))
 CASES = {
     "damping along a rod of no length is": lambda m: dataclasses.replace(
@@ -50,7 +54,21 @@ CASES = {
     "vortex-induced vibration is": _with_type(lift_coefficient=0.8),
     "waves of WaveKin 6 are": _around(unread_water=UnreadWater(option="WaveKin", value="6", source=AT)),
     "currents of Currents 4 are": _around(unread_water=UnreadWater(option="Currents", value="4", source=AT)),
-    "controlled lengths are": _with(controls=(Control(channel=1, lines=(1,), source=AT),)),
+    "where a bend stiffener is, is": lambda m: dataclasses.replace(
+        m,
+        lines=(dataclasses.replace(m.lines[0], stiffeners=(STIFFENER,)), *m.lines[1:]),
+        controls=(Control(channel=1, lines=(1,), source=AT),),
+    ),
+    "with a table of EI is": lambda m: dataclasses.replace(
+        _with_type(bending_stiffness=Curve((0.0, 0.1), (0.0, 1e3)))(m),
+        controls=(Control(channel=1, lines=(1,), source=AT),),
+    ),
+    "on a joint of cables, is": lambda m: dataclasses.replace(
+        m,
+        rods=(Rod(id=1, rod_type="r", kind="free", end_a=PLACE[0], end_b=PLACE[1], segments=0),),
+        lines=(dataclasses.replace(m.lines[0], end_b=Attachment("rod", 1, "A")), *m.lines[1:]),
+        controls=(Control(channel=1, lines=(1,), source=AT),),
+    ),
 }
 
 

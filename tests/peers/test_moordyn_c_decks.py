@@ -13,26 +13,21 @@ differ, and MoorDyn-C has a free rod's first attitude from end B alone (RodHangi
 
 from __future__ import annotations
 
-import re
-import warnings
-from pathlib import Path
-
 import numpy as np
 import pytest
 from beside import needs
 from one_script import Scene, by_runge_kutta, off, packed, watch
 
-import moorage
 import moorage.moordyn as ours
-from moorage.errors import UnsupportedError
-from moorage.model.unbuilt import refuse_unbuilt
 
 pytestmark = needs("moordyn_c")
 QUARTER = 0.5 * np.pi
 
 
 def surge(t):
-    return np.array([5.2, 0, -70, -2.6, 4.5, -70, -2.6, -4.5, -70]) + 2.0 * (1 - np.cos(np.pi * t / 10)) * np.array([1, 0, 0] * 3)
+    return np.array([5.2, 0, -70, -2.6, 4.5, -70, -2.6, -4.5, -70]) + 2.0 * (1 - np.cos(np.pi * t / 10)) * np.array(
+        [1, 0, 0] * 3
+    )
 
 
 def heave(t):

@@ -87,6 +87,7 @@ SEGMENTS = Tension(
     np.array([1e6, 1e6, 1e6, 1e6]),
     np.array([3e3, 3e3, 0.0, 3e3]),
     np.array([0.0, 0.0, 0.0, -1e30]),
+    np.zeros(4),
     np.array([-1, 0, -1, -1]),
     np.array([-1, -1, 1, -1]),
     build_tables([SPRING, DAMPER]),

@@ -141,7 +141,7 @@ RICH = model(
         ),
     ),
     failures=(Failure(id=1, attachment=Attachment("point", 3), lines=(2, 3), time=5.0),),
-    controls=(Control(channel=2, lines=(1, 2)),),
+    controls=(Control(channel=2, lines=(1, 2), segment_range=(0.5, 2.0)),),
     external_loads=(ExternalLoad(id=1, target="body", target_id=1, force=(1.0, 2.0, 3.0), local=True),),
     outputs=(OutputChannel(name="FAIRTEN1"), OutputChannel(name="POINT3PX")),
     start="as-given",

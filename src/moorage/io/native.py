@@ -98,7 +98,7 @@ def _model(values: Values, folder: Path, found: Findings) -> Model:
             Failure(**entry | {"attachment": _end(entry["attachment"], ids, found)})
             for entry in values.get("failures", ())
         ),
-        controls=tuple(Control(**entry) for entry in values.get("controls", ())),
+        controls=tuple(_control(entry, found) for entry in values.get("controls", ())),
         external_loads=tuple(ExternalLoad(**entry) for entry in values.get("external_loads", ())),
         outputs=tuple(OutputChannel(name=name.upper(), source=source) for name, source in values.get("outputs", ())),
         start=values.get("start", "static"),
@@ -184,6 +184,14 @@ def _line(values: Values, ids: dict[str, int], found: Findings) -> Line:
     stiffeners = tuple(_stiffener(stiffener) for stiffener in values.get("stiffeners", ()))
     ends = {end: _end(values[end], ids, found) for end in ("end_a", "end_b")}
     return Line(**values | ends | {"sections": sections, "stiffeners": stiffeners})
+
+
+def _control(values: Values, found: Findings) -> Control:
+    if isinstance(values.get("length"), float):
+        remedy = "write {x: [0, 60], y: [0, 30]} or {file: name}, or a rate"
+        found.add("length of a control is not a table", remedy, values["source"], values["length"])
+        values = values | {"length": None}
+    return Control(**values)
 
 
 def _stiffener(values: Values) -> BendStiffener:

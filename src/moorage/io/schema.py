@@ -65,7 +65,7 @@ SCHEMA: dict[str, dict[str, Key]] = {
         "bodies": Key("list of body", "-", "rigid bodies"),
         "turbines": Key("list of turbine", "-", "platforms of a farm, each with a motion of its own"),
         "failures": Key("list of failure", "-", "lines that come off"),
-        "controls": Key("list of control", "-", "lines whose length follows a channel"),
+        "controls": Key("list of control", "-", "lines on winches, whose length follows a channel"),
         "external_loads": Key("list of external load", "-", "constant forces and dampers"),
         "outputs": Key("texts", "-", "output channels by MoorDyn's names"),
     },
@@ -338,8 +338,12 @@ SCHEMA: dict[str, dict[str, Key]] = {
         "tension": Key("number", "N", "at which tension; 0 for never"),
     },
     "control": {
-        "channel": Key("integer", "-", "control channel", True),
+        "channel": Key("integer", "-", "number", True),
         "lines": Key("integers", "-", "lines that follow it", True),
+        "end": Key("one of A, B", "-", "end of the lines at the winch; B by default"),
+        "length": Key("curve", "s, m", "length paid out over time, negative: hauled in"),
+        "rate": Key("curve", "s, m/s", "its rate over time, or a constant one, in place of length"),
+        "segment_range": Key("numbers", "-", "shortest and longest segment at the winch, over one as described"),
     },
     "external load": {
         "id": Key("integer", "-", "number", True),

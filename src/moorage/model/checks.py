@@ -29,7 +29,7 @@ from moorage.model.cables import (
 from moorage.model.components import Curve, LineType
 from moorage.model.current_grid import CurrentGrid
 from moorage.model.environment import Bathymetry, FrictionMap, StiffnessMap
-from moorage.model.event_checks import channels_exist, described, events_name_what_exists
+from moorage.model.event_checks import channels_exist, described, events_name_what_exists, winches_are_possible
 from moorage.model.model import Model
 from moorage.model.seabed import below_seabed
 from moorage.model.turbines import (
@@ -91,6 +91,7 @@ def _named(model: Model) -> Iterator[tuple[str, object, Source | None]]:
         ("external load", model.external_loads),
     ):
         yield from ((f"{kind} {thing.id}", thing, thing.source) for thing in objects)  # type: ignore[attr-defined]
+    yield from ((f"control channel {control.channel}", control, control.source) for control in model.controls)
 
 
 def numbers_are_finite(model: Model) -> Iterator[Problem]:
@@ -336,6 +337,7 @@ CHECKS: tuple[Check, ...] = (
     sections_are_graded_well,
     free_points_are_held,
     events_name_what_exists,
+    winches_are_possible,
     channels_exist,
     anchors_are_not_buried,
     anchors_are_on_the_grid,

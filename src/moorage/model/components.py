@@ -328,10 +328,28 @@ class Failure:
 
 @dataclass(frozen=True, kw_only=True)
 class Control:
-    """Lines whose length follows a control channel."""
+    """A winch at one end of each of some lines, whose unstretched length follows a control channel.
+
+    Parameters
+    ----------
+    end : {"A", "B"}
+        The end at which line comes out of the winch.
+    length : Curve or None
+        Line paid out (m, negative: hauled in) over time (s): a smooth curve through the rows that never overshoots;
+        constant before and after.
+    rate : float, Curve or None
+        Its rate (m/s) over time (s) instead: linear between the rows, constant before and after.
+    segment_range : tuple of float
+        The segment at the winch is cut in two when it is longer than the second of these times a segment as described,
+        and joined with the next when it is shorter than the first.
+    """
 
     channel: int
     lines: tuple[int, ...]
+    end: Literal["A", "B"] = "B"
+    length: Curve | None = None
+    rate: float | Curve | None = None
+    segment_range: tuple[float, ...] = (0.05, 1.1)
     source: Source | None = field(default=None, compare=False, repr=False)
 
 

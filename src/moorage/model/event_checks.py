@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import pairwise
 from typing import Any
 
 from moorage.errors import Problem
 from moorage.model.channels import parse_channel, why_not
-from moorage.model.components import Attachment, Line
+from moorage.model.components import Attachment, Control, Curve, Line
 from moorage.model.model import Model
 
 
@@ -49,6 +50,42 @@ def events_name_what_exists(model: Model) -> Iterator[Problem]:
         if all(thing.id != load.target_id for thing in groups[load.target]):
             message = f"external load {load.id} is on {load.target} {load.target_id}, which is not described"
             yield Problem(message, described(model, load.target), load.source)
+
+
+def winches_are_possible(model: Model) -> Iterator[Problem]:
+    """A line has one winch; what drives it is one table of increasing times; a segment cut in two leaves good parts."""
+    owner: dict[int, int] = {}
+    for k, control in enumerate(model.controls):
+        what = f"control channel {control.channel}"
+        if any(other.channel == control.channel for other in model.controls[:k]):
+            yield Problem(f"{what} is described twice", "list all its lines in one control", control.source)
+        for id in control.lines:
+            if id in owner:
+                message = f"{what} names line {id}, which follows channel {owner[id]}"
+                yield Problem(message, "a line has one winch", control.source)
+            owner[id] = control.channel
+        if control.end not in ("A", "B"):
+            yield Problem(f"end of {what} is not known", "write A or B", control.source, control.end)
+        if control.length is not None and control.rate is not None:
+            yield Problem(f"{what} has both length and rate", "give one of them", control.source)
+        yield from _table_increases(control)
+        low, high = control.segment_range if len(control.segment_range) == 2 else (0.0, 0.0)
+        if not (0.0 < low < 1.0 and high > 1.0 + low):
+            remedy = "give two numbers: the first between 0 and 1, the second more than 1 above it"
+            yield Problem(f"segment range of {what} leaves no segments", remedy, control.source, control.segment_range)
+
+
+def _table_increases(control: Control) -> Iterator[Problem]:
+    for name, table in (("length", control.length), ("rate", control.rate)):
+        if not isinstance(table, Curve):
+            continue
+        what = f"{name} of control channel {control.channel}"
+        if len(table.x) < 2 or len(table.x) != len(table.y):
+            yield Problem(f"{what} has {len(table.x)} rows", "give at least two, of time and value", control.source)
+        for before, after in pairwise(table.x):
+            if not after > before:
+                remedy = f"the time after {before:g} s must be larger"
+                yield Problem(f"times of {what} do not increase", remedy, control.source, after)
 
 
 def _ends(line: Line) -> tuple[Attachment, Attachment]:

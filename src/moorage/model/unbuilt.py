@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator
 
 from moorage.errors import Problem, UnsupportedError
 from moorage.model.cables import is_joint
+from moorage.model.components import Curve
 from moorage.model.model import Model
 
 
@@ -70,10 +71,24 @@ def _waves(model: Model) -> Iterator[Problem]:
         )
 
 
-def _controls(model: Model) -> Iterator[Problem]:
+def _winches(model: Model) -> Iterator[Problem]:
+    lines = {line.id: line for line in model.lines}
+    joints = {rod.id for rod in model.rods if is_joint(rod)}
     for control in model.controls:
-        message = f"control channel {control.channel}: controlled lengths are not simulated yet"
-        yield Problem(message, "remove it", control.source)
+        for line in (lines[id] for id in control.lines if id in lines):
+            tie, section = (line.end_b, line.sections[-1]) if control.end == "B" else (line.end_a, line.sections[0])
+            what = f"control channel {control.channel}: a winch at end {control.end} of line {line.id}"
+            if tie.kind == "rod" and tie.id in joints:
+                yield Problem(
+                    f"{what}, on a joint of cables, is not simulated yet", "use the other end", control.source
+                )
+            if any(stiffener.end == control.end for stiffener in line.stiffeners):
+                yield Problem(
+                    f"{what}, where a bend stiffener is, is not simulated yet", "use the other end", control.source
+                )
+            if isinstance(model.line_type(section.line_type).bending_stiffness, Curve):
+                remedy = "give one value of EI"
+                yield Problem(f"{what} with a table of EI is not simulated yet", remedy, control.source)
 
 
 UNBUILT: tuple[Callable[[Model], Iterator[Problem]], ...] = (
@@ -83,5 +98,5 @@ UNBUILT: tuple[Callable[[Model], Iterator[Problem]], ...] = (
     _syrope,
     _vortex_vibration,
     _waves,
-    _controls,
+    _winches,
 )

@@ -10,11 +10,13 @@ from moorage.model import Attachment, Model, Point
 
 
 def without_host_parts(model: Model) -> Model:
-    """Return a model without what this module does itself: failures, and water that the host gives."""
+    """Return a model without what this module does itself (failures, water that the host gives), and without winches,
+    which MoorDyn-C does not know: hosts set lengths with `SetLineUnstretchedLength`.
+    """
     env = model.environment
     if env.unread_water is not None and (env.unread_water.option, str(env.unread_water.value)) == ("WaveKin", "1"):
         env = dataclasses.replace(env, unread_water=None)
-    return dataclasses.replace(model, failures=(), environment=env)
+    return dataclasses.replace(model, failures=(), controls=(), environment=env)
 
 
 def option(model: Model, name: str, default: str) -> str:

@@ -66,6 +66,29 @@ def spline(t, y) -> np.ndarray:
     return np.stack([bend / h[:, None], (d - s[:-1]) / h[:, None] - bend, s[:-1], y[:-1]], axis=-1)
 
 
+def with_cubics(tracks: Tracks, knots: list[np.ndarray], pieces: list[np.ndarray]) -> Tracks:
+    """Add rows of which x follows piecewise cubics: pieces (n, 4), highest power first, between knots (n + 1,), s."""
+    if not knots:
+        return tracks
+    moving = len(tracks.coefficients) > 0
+    common = np.unique(np.concatenate([*knots, *([tracks.knots] if moving else [])]))
+    old = _on_knots(tracks.knots, tracks.coefficients, common) if moving else np.zeros((0, len(common) - 1, 3, 4))
+    new = np.zeros((len(knots), len(common) - 1, 3, 4))
+    for k, (own, cubics) in enumerate(zip(knots, pieces, strict=True)):
+        new[k, :, 0] = _on_knots(own, cubics[None, :, None], common)[0, :, 0]
+    track = np.concatenate([tracks.track, len(old) + np.arange(len(new))])
+    rest = np.concatenate([tracks.rest, np.zeros((len(new), 3))])
+    return Tracks(track, rest, common, np.concatenate([old, new]))
+
+
+def _on_knots(old, coefficients, new) -> np.ndarray:
+    """Write cubics (tracks, n - 1, x, 4) between knots (n,) between other knots, among which these are."""
+    k = np.clip(np.searchsorted(old, new[:-1], side="right") - 1, 0, len(old) - 2)
+    s = (new[:-1] - old[k])[:, None]
+    a, b, c, d = np.moveaxis(coefficients[:, k], -1, 0)
+    return np.stack([a, b + 3.0 * a * s, c + (2.0 * b + 3.0 * a * s) * s, d + (c + (b + a * s) * s) * s], axis=-1)
+
+
 @inlined
 def follow(p, point, t):
     """Position (m), velocity (m/s) and acceleration (m/s2) of a prescribed point at time t."""

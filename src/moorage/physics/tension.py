@@ -1,4 +1,4 @@
-"""Axial tension of a segment: EA (L - l) / l when stretched, 0 when slack, plus BA (dL/dt) / l.
+"""Axial tension of a segment: EA (L - l) / l when stretched, 0 when slack, plus BA d(L / l)/dt.
 
 Hall & Goupee 2015, equations 6-9; Hall, Sirnivas & Yu 2020, equations 1-2. EA and BA may be tables: tension against
 strain, and tension against strain rate.
@@ -23,6 +23,7 @@ class Tension(NamedTuple):
     spring: np.ndarray  # (segments,) EA / l, N/m
     damper: np.ndarray  # (segments,) BA / l, N s/m
     slack: np.ndarray  # (segments,) least elastic tension, N: 0, or a large negative one that lets a segment push
+    growth: np.ndarray  # (segments,) (dl/dt) / l, 1/s, of a segment at a winch
     spring_table: np.ndarray  # (segments,) table of tension against strain, -1: linear
     damper_table: np.ndarray  # (segments,) table of tension against strain rate, -1: linear
     tables: Tables
@@ -45,7 +46,7 @@ def elastic(p, j, stretch):
 
 @inlined
 def damping(p, j, rate):
-    """Damping part of the tension of segment j (N) at a rate dL/dt (m/s), and its slope (N s/m)."""
+    """Damping part of the tension of segment j (N) at a rate l d(L / l)/dt (m/s), and its slope (N s/m)."""
     if p.damper_table[j] < 0:
         return p.damper[j] * rate, p.damper[j]
     size, slope = look_up(p.tables, p.damper_table[j], abs(rate) / p.length[j])
@@ -64,7 +65,7 @@ def tension_terms(p, j, e, de, c):
     inverse = 1.0 / L
     s = scale(inverse, e)
     pull, slope = elastic(p, j, L - p.length[j])
-    drag, drag_slope = damping(p, j, dot(s, de))
+    drag, drag_slope = damping(p, j, dot(s, de) - p.growth[j] * L)
     axial = c.stiffness * slope + c.damping * drag_slope
     lateral = c.stiffness * pull * inverse
     return scale(pull + drag, s), isotropic_plus(lateral, axial - lateral, s)
@@ -74,7 +75,7 @@ def tension_terms(p, j, e, de, c):
 def segment_tension(p, j, e, de):
     """Tension of segment j with its damping part, N."""
     L = math.sqrt(dot(e, e))
-    return elastic(p, j, L - p.length[j])[0] + damping(p, j, dot(e, de) / L)[0]
+    return elastic(p, j, L - p.length[j])[0] + damping(p, j, dot(e, de) / L - p.growth[j] * L)[0]
 
 
 @inlined

@@ -106,9 +106,17 @@ def bending_of(model: Model, built: Built, allowed: np.ndarray) -> Bending | Non
 
 
 def segment_tangents(position: np.ndarray) -> np.ndarray:
-    """Return unit vectors (m, n - 1, 3) along the segments between nodes (m, n, 3)."""
+    """Return unit vectors (m, n - 1, 3) along the segments between nodes (m, n, 3).
+
+    Nodes that are still in a winch stand at one end of the line; segments there go on as the last one that is out.
+    """
     e = np.diff(position, axis=1)
-    return e / np.maximum(np.sqrt((e**2).sum(axis=-1, keepdims=True)), 1e-300)
+    size = np.sqrt((e**2).sum(axis=-1, keepdims=True))
+    if not size.all():
+        out, place = size[..., 0] > 0.0, np.arange(e.shape[1])
+        nearest = np.clip(place, out.argmax(axis=1)[:, None], e.shape[1] - 1 - out[:, ::-1].argmax(axis=1)[:, None])
+        e, size = (np.take_along_axis(values, nearest[..., None], axis=1) for values in (e, size))
+    return e / np.maximum(size, 1e-300)
 
 
 def curvatures(tangents: np.ndarray, length: np.ndarray) -> np.ndarray:

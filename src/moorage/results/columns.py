@@ -20,6 +20,7 @@ from moorage.solve.march import Block
 from moorage.variables import VARIABLES, attributes
 
 NODE_VARIABLES = ("node_position", "node_velocity", "segment_tension")
+LENGTHS, SEGMENT_LENGTH = ("line_length", "payout_rate"), ("segment_length",)  # of models with winches
 LINE_VARIABLES = (
     "fairlead_tension",
     "anchor_tension",
@@ -59,6 +60,8 @@ class Layout:
         For farms: what their columns need.
     static : mapping of str to (lines,) float
         Tensions of the static solution that a run starts from.
+    winches : bool
+        Whether lines have winches, and so lengths over time.
     """
 
     index: Index
@@ -70,6 +73,7 @@ class Layout:
     carried: Carried | None = None
     turbines: Turbines | None = None
     static: Mapping[str, np.ndarray] = field(default_factory=dict)
+    winches: bool = False
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -88,6 +92,7 @@ class Layout:
             + sea
             + LINE_VARIABLES
             + carried
+            + (LENGTHS if self.winches else ())
             + at_ends
             + self.histories
             + tuple(output.name for output in self.outputs)
@@ -104,7 +109,8 @@ class Layout:
         if not self.node_time:
             return ()
         parts = [part.histories for part in (self.bending, self.seabed) if part]
-        return tuple(dict.fromkeys(NODE_VARIABLES + sum(parts, ())))
+        own = SEGMENT_LENGTH if self.winches else ()
+        return tuple(dict.fromkeys(NODE_VARIABLES + own + sum(parts, ())))
 
     @property
     def sizes(self) -> dict[str, int]:

@@ -45,21 +45,28 @@ class Moment(NamedTuple):
 
     @property
     def rate(self) -> np.ndarray:
-        """Rates of change of the lengths of the segments, m/s."""
-        return (np.diff(self.at_nodes("node_velocity"), axis=1) * self.spans[1]).sum(axis=2)
+        """Rates of change of the strains of the segments, times their unstretched lengths, m/s."""
+        length, direction = self.spans
+        rate = (np.diff(self.at_nodes("node_velocity"), axis=1) * direction).sum(axis=2)
+        return rate - length * self.of_winch("segment_growth", 0.0)
+
+    def of_winch(self, name: str, otherwise: np.ndarray | float) -> np.ndarray | float:
+        """Return what winches change of the line's segments over time, (n, segments); without them what it is."""
+        return self.block[name][:, self.segments] if name in self.block else otherwise
 
     @property
     def unstretched(self) -> np.ndarray:
-        """Unstretched lengths, m."""
-        return self.built.system.tension.length[self.segments]
+        """Unstretched lengths, m; NaN for what is still in a winch."""
+        length = np.asarray(self.of_winch("segment_length", self.built.system.tension.length[self.segments]))
+        return np.where(length > 0.0, length, np.nan)
 
     @property
     def damping(self) -> np.ndarray:
         """Damping parts of the tensions, N, positive for pull; from the recorded velocities."""
         p = self.built.system.tension
-        force = p.damper[self.segments] * self.rate
+        force = self.of_winch("segment_damper", p.damper[self.segments]) * self.rate
         for j in np.flatnonzero(p.damper_table[self.segments] >= 0):
-            speed = self.rate[:, j] / self.unstretched[j]
+            speed = self.rate[:, j] / self.unstretched[..., j]
             force[:, j] = np.sign(speed) * tabulated(p.tables, p.damper_table[self.segments][j], np.abs(speed))
         return force
 

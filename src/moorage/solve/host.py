@@ -6,9 +6,11 @@ both, so that positions and velocities are continuous.
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 
-from moorage.errors import SimulationError
+from moorage.errors import MoorageError, SimulationError
 from moorage.layout import State
 from moorage.physics.motion import Tracks, sample_track
 from moorage.physics.sea import given_at
@@ -16,8 +18,10 @@ from moorage.solve.given_water import as_water, set_given, takes_water
 from moorage.solve.march import Block, March, Settings
 from moorage.solve.march_kernel import start_islands
 from moorage.solve.record import FORCE_A, Record, new_record
+from moorage.solve.reeling import length_columns, paid_by
 from moorage.solve.statics import rest, solve
-from moorage.system.build import Built, with_motion
+from moorage.system.build import Built, Releases, with_motion
+from moorage.system.winches import Reeled
 
 
 def turned_directions(built: Built) -> np.ndarray:
@@ -37,6 +41,8 @@ class HostMarch:
     settings : Settings
     hosts_water : bool
         Whether the host gives the water.
+    cut : callable, optional
+        Builds the system with lines on winches cut in another way.
 
     Attributes
     ----------
@@ -45,17 +51,32 @@ class HostMarch:
         those on the first `len(built.coupled)`.
     position, velocity : (m, 3) array
         Of them now, m and m/s.
+    paid : (controls, 2) array
+        Length that winches have paid out, m, and its rate, m/s.
+    paid_next : (controls, 2) array
+        The same at the end of the next step.
     """
 
-    def __init__(self, built: Built, settings: Settings | None = None, hosts_water: bool = False):
+    def __init__(
+        self,
+        built: Built,
+        settings: Settings | None = None,
+        hosts_water: bool = False,
+        cut: Callable[[Reeled | None], Built] | None = None,
+    ):
         built = takes_water(built) if hosts_water else built
         coupled = built.coupled
         self.driven = np.concatenate([coupled, turned_directions(built)]).astype(np.int64)
-        m = len(self.driven)
-        track = np.full(len(built.system.tracks.rest), -1)  # of points, ends of rods, and directions of clamps
-        track[self.driven] = np.arange(m)
+        rows = np.concatenate([self.driven, built.paid])
+        track = np.full(len(built.system.tracks.rest), -1)  # of points, ends of rods, directions of clamps, and winches
+        track[rows] = np.arange(len(rows))
         # one interval for each coupled point, rewritten in place at each coupling step
-        self._tracks = Tracks(track, built.system.tracks.rest.copy(), np.array([0.0, 1.0]), np.zeros((m, 1, 3, 4)))
+        cubics = np.zeros((len(rows), 1, 3, 4))
+        self._tracks = Tracks(track, built.system.tracks.rest.copy(), np.array([0.0, 1.0]), cubics)
+        self.paid = np.zeros((len(built.paid), 2))
+        for k, paid in enumerate(paid_by(built)):
+            self.paid[k, 0] = paid.at(0.0)[0]
+        self.paid_next = self.paid.copy()
         self._lines = len(built.names.lines)
         row = np.full(len(track), len(coupled))  # all other holders share one row, which nobody looks at
         row[coupled] = np.arange(len(coupled))
@@ -63,7 +84,9 @@ class HostMarch:
         self._component = (3 * row[ends, None] + np.arange(3)).ravel()
         self._record = new_record(built.system, np.zeros(1), np.zeros(0), np.zeros((0, 2), dtype=np.int64))
         self.built = with_motion(built, self._tracks)
-        self._first = int(built.system.lines.node_ptr[-1])  # row of the first point
+        self._releases: Releases | None = None
+        if cut is not None:
+            self._releases = Releases({}, {}, lambda _, reeled: with_motion(cut(reeled), self._tracks), None)
         holders = np.arange(len(built.system.points.mass))
         self._held = np.setdiff1d(holders, built.system.islands.points)  # whose rows of the state are not used
         self.settings = settings or Settings()
@@ -84,7 +107,7 @@ class HostMarch:
             rest(self.built)
         self._set_tracks(0.0, 1.0, self.position + self.velocity, self.velocity)
         self.time = 0.0
-        self._march = March(self.built, self.settings, 0.0)
+        self._march = March(self.built, self.settings, 0.0, self._releases)
         return self._forces(0.0)
 
     def take_over(self, time: float, state: State, position, velocity) -> np.ndarray:
@@ -115,11 +138,14 @@ class HostMarch:
         saved = self.save()
         self._set_tracks(self.time, time, position, velocity)
         try:
+            if len(self.paid):
+                self._cut_until(time)
             forces = self._forces(time)
-        except SimulationError:
+        except MoorageError:
             self.restore(saved)
             raise
         self.time, self.position, self.velocity = float(time), position, velocity
+        self.paid, self.paid_next = self.paid_next, self.paid_next * [1.0, 0.0]
         return forces
 
     def take_water(self, given: np.ndarray | None = None) -> None:
@@ -129,12 +155,26 @@ class HostMarch:
         if self._march is not None:
             self._march.built = takes_water(self._march.built, given)
 
+    def _cut_until(self, time: float) -> None:
+        """Advance as far as winches make and remove segments on the way to a time, s."""
+        self.march.look_ahead(time)
+        while self.march.next_cut <= time:
+            self._forces(self.march.next_cut)
+            self.march.cut_lines()
+            self.built = self.march.built
+            self.march.look_ahead(time)
+
+    def line_lengths(self) -> np.ndarray:
+        """Return the unstretched lengths of the lines now, (lines,), m."""
+        built = self.built if self._march is None else self._march.built
+        return length_columns(built, np.array([self.time]))["line_length"][0]
+
     def water_nodes(self) -> np.ndarray:
         """Return where the host has to say what the water does, (rows, 3), m: every row of the state."""
         places = self.built.state.position.copy()
-        coupled = self.built.coupled
-        places[self._first + self._held] = self._tracks.rest[self._held]
-        places[self._first + coupled] = self.position[: len(coupled)]
+        coupled, first = self.built.coupled, int(self.built.system.lines.node_ptr[-1])  # row of the first point
+        places[first + self._held] = self._tracks.rest[self._held]
+        places[first + coupled] = self.position[: len(coupled)]
         return places
 
     def set_water(self, elevation, velocity, acceleration, time: float | None = None) -> None:
@@ -157,6 +197,7 @@ class HostMarch:
             "host": np.array([self.time]),
             "host_position": self.position.copy(),
             "host_velocity": self.velocity.copy(),
+            "host_paid": np.stack([self.paid, self.paid_next]),
         }
 
     def restore(self, saved: Block) -> None:
@@ -164,8 +205,11 @@ class HostMarch:
         if self._march is None:
             raise SimulationError("restore() before initialize(): call initialize() first", self.time)
         self._march.restore(saved)
+        if self._releases is not None:
+            self.built = self._march.built
         self.time = float(saved["host"][0])
         self.position, self.velocity = saved["host_position"].copy(), saved["host_velocity"].copy()
+        self.paid, self.paid_next = saved["host_paid"].copy()
 
     @property
     def march(self) -> March:
@@ -203,13 +247,11 @@ class HostMarch:
 
     def _set_tracks(self, t0: float, t1: float, position, velocity) -> None:
         """Put the Hermite cubic from the present motion to the one at t1 into the tracks."""
-        h = t1 - t0
-        r0, v0, r1, v1 = self.position, self.velocity, position, velocity
         self._tracks.knots[:] = t0, t1
-        self._tracks.coefficients[:, 0, :, 0] = 2.0 * (r0 - r1) / h**3 + (v0 + v1) / h**2
-        self._tracks.coefficients[:, 0, :, 1] = 3.0 * (r1 - r0) / h**2 - (2.0 * v0 + v1) / h
-        self._tracks.coefficients[:, 0, :, 2] = v0
-        self._tracks.coefficients[:, 0, :, 3] = r0
+        cubics, m = self._tracks.coefficients[:, 0], len(self.driven)
+        _set_cubics(cubics[:m], t1 - t0, self.position, self.velocity, position, velocity)
+        (r0, v0), (r1, v1) = self.paid.T, self.paid_next.T
+        _set_cubics(cubics[m:, 0], t1 - t0, r0, v0, r1, v1)
 
     def _forces(self, time: float) -> np.ndarray:
         """Advance to a time and sum the forces of all line ends on each coupled point, (m, 3), N.
@@ -223,3 +265,11 @@ class HostMarch:
         ends = self._record.lines[0, : self._lines, FORCE_A : FORCE_A + 6].ravel()
         m = len(self.built.coupled)
         return np.bincount(self._component, ends, 3 * m + 3)[: 3 * m].reshape(m, 3)
+
+
+def _set_cubics(cubics, h: float, r0, v0, r1, v1) -> None:
+    """Set cubics (..., 4), highest power first, from values and slopes at both ends of an interval of h (s)."""
+    cubics[..., 0] = 2.0 * (r0 - r1) / h**3 + (v0 + v1) / h**2
+    cubics[..., 1] = 3.0 * (r1 - r0) / h**2 - (2.0 * v0 + v1) / h
+    cubics[..., 2] = v0
+    cubics[..., 3] = r0

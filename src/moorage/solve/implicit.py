@@ -22,6 +22,7 @@ from moorage.physics.rigid import SIZE
 from moorage.physics.soil import remember
 from moorage.solve.newton import assemble_island, newton_island, shift, solve_island
 from moorage.system.attach import attach
+from moorage.system.reel import reel
 from moorage.system.ride import begin_turning
 
 
@@ -135,6 +136,8 @@ def implicit_step(system, now, trial, work, island, t, h, control):
     for p in range(p0, p1):
         predict_row(now, trial, point_row(lines, islands.points[p]), k)
     predict_objects(islands, now, trial, island, k)
+    if len(system.winches.place) > 0:
+        reel(system, island, t + h)
     attach(system, trial, work, island, t + h)
     enough = newton_stop(control.newton, system.friction.law, system.contact.soil.on, fastest)
     converged, iterations, row, largest, part = False, 0, -1, 1e300, 1.0
@@ -237,6 +240,8 @@ def set_accelerations(system, state, work, island, t):
     for m in range(islands.object_ptr[island], islands.object_ptr[island + 1]):
         put(state.acceleration, islands.objects[m, 1], (0.0, 0.0, 0.0))
         put(state.acceleration, islands.objects[m, 1] + 1, (0.0, 0.0, 0.0))
+    if len(system.winches.place) > 0:
+        reel(system, island, t)
     attach(system, state, work, island, t)
     assemble_island(system, state, state, work, island, c, t)
     solve_island(system, state, work, island, c)

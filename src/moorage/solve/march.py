@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import os
+from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from itertools import pairwise
 
@@ -15,18 +16,22 @@ from moorage.layout import OF_OBJECTS, new_state
 from moorage.physics.motion import sample_track
 from moorage.solve import record as columns
 from moorage.solve.carried import carried
-from moorage.solve.control import Settings, control_of
+from moorage.solve.control import Settings, control_of, default_tolerance
 from moorage.solve.given_water import WaterFeed, takes_water
 from moorage.solve.march_kernel import BROKEN, OK, UNSTABLE, Clocks, march_islands, start_islands
 from moorage.solve.places import place_name
 from moorage.solve.reactions import reactions
 from moorage.solve.record import Record, new_record
+from moorage.solve.reeling import in_rows, length_columns, paid_by, result_rows, surge_at, watched_now
 from moorage.system.build import Built, Releases
+from moorage.system.recut import Made, carry_over, leaving, slide_into_balance
 from moorage.system.sea import with_interval
+from moorage.system.winches import Reeled, come_off, next_cut, paid_until
 
 Block = dict[str, np.ndarray]
 
 PROCESSORS = os.cpu_count() or 1
+SETTLE = 5  # Newton steps that put a new node in its place
 THREAD_NODES = 5000  # fewer nodes than this are not worth a second thread (docs/developer/measurements.md)
 
 
@@ -61,13 +66,15 @@ class March:
         self.settings, self.duration, self._water = settings, float(duration), water
         self._releases = releases
         self._released: frozenset[int] = frozenset()
+        if built.reeled is not None and settings.tolerance is None:  # lines are cut anew, the tolerance stays
+            self.settings = settings._replace(tolerance=default_tolerance(built))
         self._counted = np.zeros(3, dtype=np.int64)  # by the systems before
         self._rows = 0  # output times recorded so far, time 0 included
         self._node_rows = 0
         self._begin(0.0, built)
 
-    def _begin(self, time: float, built: Built) -> None:
-        """Start from the state of a system at a time."""
+    def _begin(self, time: float, built: Built, made: Sequence[Made] = ()) -> None:
+        """Start from the state of a system at a time, in which winches have just made some nodes."""
         if self._water is not None:
             built = takes_water(built, self._water.given)
         sea = with_interval(built.system.sea, self.settings.time_step)
@@ -86,32 +93,61 @@ class March:
         if self._water is not None:
             self._water.start(self.built, time)
         start_islands(self.built.system, self.built.state, self.built.work, time)
+        for node in SETTLE * list(made):
+            surge = surge_at(self.built, node.held)
+            slide_into_balance(self.built.system, self.built.state, node, surge)
+            start_islands(self.built.system, self.built.state, self.built.work, time)
         for target, source in zip(self.old, self.built.state, strict=True):
             target[...] = source
+        self._result_rows = result_rows(self.built, self._releases.most if self._releases else None)
+        self.look_ahead()
 
-    def _release(self, failures: set[int]) -> None:
-        """Go on with a system in which more line ends have come off: they start from where they are."""
+    def look_ahead(self, until: float = math.inf) -> None:
+        """Find out when a winch makes or removes the next segment, up to a time (s) that is not after the run's end."""
+        self.next_cut, self._as_cut = math.inf, self.built.reeled
+        if self.built.reeled is not None and self._releases is not None:
+            until = max(self.duration, self.time) if until == math.inf else until
+            self.next_cut, self._as_cut = next_cut(
+                self.built.winches, paid_by(self.built), self.built.reeled, self.time, until
+            )
+
+    def cut_lines(self) -> None:
+        """Go on with the lines cut as `look_ahead` has found, at the time `next_cut`, where the march must stand."""
+        self._take_over(set(), self._as_cut)
+
+    def _take_over(self, failures: set[int], reeled: Reeled | None) -> None:
+        """Go on with a system in which more line ends have come off, or lines are cut in another way."""
         assert self._releases is not None
         self._released |= failures
-        before, after = self.built, self._releases.rebuild(self._released)
-        for target, source in zip(after.state, before.state, strict=True):
-            target[...] = source
+        if reeled is not None:
+            off = set().union(*(self._releases.ends[k] for k in failures))
+            reeled = paid_until(self.built.winches, paid_by(self.built), reeled, self.time)
+            reeled = come_off(self.built.winches, reeled, off)
+        before, after = self.built, self._releases.rebuild(self._released, reeled)
+        rows, made = carry_over(before.system, before.state, after.system, after.state, before.winches)
+        if self._water is not None:
+            self._water.given = self._water.given[:, [*rows, -1]]
+        elif before.system.sea.given.shape[1] > 1:
+            after = takes_water(after, before.system.sea.given[:, [*rows, -1]])
         ptr = after.system.lines.node_ptr
         for line, end in np.argwhere(after.system.lines.end_point != before.system.lines.end_point):
             row = ptr[line] if end == 0 else ptr[line + 1] - 1
             for name, values in zip(after.state._fields, after.state, strict=True):
                 if name not in OF_OBJECTS:
                     values[ptr[-1] + after.system.lines.end_point[line, end]] = values[row]
+            point = ptr[-1] + after.system.lines.end_point[line, end]
+            after.state.velocity[point] += leaving(before.system, before.state, line, end)
         self._counted += self.clocks.counts.sum(axis=0)
-        self._begin(self.time, after)
+        self._begin(self.time, after, made)
 
     def _due(self, until: float) -> tuple[float, set[int]]:
-        """Return the next time before `until` at which failures come, and which do; `until` and none."""
+        """Return the next time before `until` at which failures come or a winch cuts a line, and which do."""
         times = self._releases.times if self._releases else {}
         later = {k: time for k, time in times.items() if k not in self._released and time < until}
-        if not later:
+        time = min([until, self.next_cut, *later.values()])
+        if time >= until:
             return until, set()
-        time = max(min(later.values()), self.time)
+        time = max(time, self.time)
         return time, {k for k, at in later.items() if at <= time}
 
     @property
@@ -148,19 +184,19 @@ class March:
                 self.restore(saved)
                 self.control = self.control._replace(breaks=0)
                 parts.append(self._advance(event.time))
-                self._release({event.failure})
+                self._take_over({event.failure}, self.built.reeled)
                 continue
             if self._water is not None and self._fed < time:
                 self._water.go_on(self.built)
-            elif failures:
-                self._release(failures)
+            elif failures or self.next_cut <= time < until:
+                self._take_over(failures, self._as_cut if self.next_cut <= time else self.built.reeled)
             else:
                 break
         return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]} if parts[1:] else parts[0]
 
     def _advance(self, until: float) -> Block:
         times, node_times = self._times_up_to(until)
-        watched = np.array(self.settings.watch, dtype=np.int64).reshape(-1, 2)
+        watched = watched_now(self.settings.watch, self.built)
         record = new_record(self.built.system, times, node_times, watched)
         self.run(until, min(self._due(self.duration)[0], self._fed), record)
         self.time = until
@@ -180,15 +216,23 @@ class March:
         saved["counted"] = self._counted.copy()
         saved["march"] = np.array([self.time, self._rows, self._node_rows])
         saved["released"] = np.array(sorted(self._released), dtype=np.int64)
+        if self.built.reeled is not None:
+            saved |= {f"reeled_{name}": np.array(values) for name, values in self.built.reeled._asdict().items()}
         return saved
 
     def restore(self, saved: Block) -> None:
         """Go back to a checkpoint."""
-        released = frozenset(saved["released"].tolist())
-        if released != self._released:
+        released, reeled = frozenset(saved["released"].tolist()), None
+        if "reeled_segments" in saved:
+            reeled = Reeled(*(tuple(saved[f"reeled_{name}"].tolist()) for name in Reeled._fields))
+        if (released, reeled) != (self._released, self.built.reeled):
             assert self._releases is not None
-            self._released = released
-            self._begin(float(saved["march"][0]), self._releases.rebuild(released))
+            self._released, after = released, self._releases.rebuild(released, reeled)
+            if self._water is not None:
+                self._water.given = saved["given"].copy()
+            elif self.built.system.sea.given.shape[1] > 1:
+                after = takes_water(after, saved["given"].copy())
+            self._begin(float(saved["march"][0]), after)
         self._counted[...] = saved["counted"]
         for prefix, target in (
             ("now", self.built.state), ("old", self.old), ("clock", self.clocks), ("table", self.built.work.table),
@@ -202,6 +246,7 @@ class March:
             int(saved["march"][1]),
             int(saved["march"][2]),
         )
+        self.look_ahead()
 
     def _times_up_to(self, until: float):
         def grid(interval, done):
@@ -283,7 +328,7 @@ class March:
         }
         if self.settings.dt_nodes:
             n, segments = int(self.built.names.node_ptr[-1]), int(self.built.names.segment_ptr[-1])
-            block |= {
+            histories = {
                 "node_time": record.node_time[:node_rows],
                 "node_position": record.node_position[:node_rows, :n],
                 "node_velocity": record.node_velocity[:node_rows, :n],
@@ -294,7 +339,8 @@ class March:
                 "curvature": record.curvature[:node_rows, :n],
                 "bending_moment": record.moment[:node_rows, :n],
             }
-        return block
+            block |= histories if self.built.reeled is None else in_rows(histories, self._result_rows, self.built)
+        return block if self.built.reeled is None else block | length_columns(self.built, block["time"])
 
     def reactions(self, record: Record) -> Block:
         """Return what rods and bodies (n, k, 6) do to what holds them, see `moorage.solve.reactions`."""
@@ -377,7 +423,9 @@ class March:
 
 def _must_have_nodes(built: Built, watch: tuple[tuple[int, int], ...]) -> None:
     """Refuse to watch nodes that are not there: kernels do not look whether they are."""
-    nodes = np.diff(built.system.lines.node_ptr)
+    nodes = np.diff(built.names.node_ptr)
+    for w, count in zip(built.winches, built.reeled.segments if built.reeled else (), strict=True):
+        nodes[w.line] += len(w.lengths) - count  # as described
     for line, node in watch:
         if not 0 <= line < len(nodes) or not 0 <= node < nodes[line]:
             raise ValueError(f"there is no node {node} of the line at place {line} to watch")

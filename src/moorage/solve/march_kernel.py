@@ -14,6 +14,7 @@ from moorage.solve.breaks import broken
 from moorage.solve.explicit import explicit_step
 from moorage.solve.implicit import implicit_step, start_island
 from moorage.solve.record import record_lines, record_nodes, record_objects, record_watched, sample_island
+from moorage.system.reel import reel
 from moorage.system.water import next_interval, start_table, table_end
 
 OK, NO_SOLUTION, UNSTABLE, BROKEN = 0, 1, 2, 3
@@ -75,6 +76,8 @@ def march_islands(system, old, now, work, clocks, control, begin, end, until, st
             while row < len(record.time) and record.time[row] <= t + eps:
                 for side in range(2):  # one call in a loop, because it is inlined and long
                     if not (known_before if side == 0 else known_after):
+                        if len(system.winches.place) > 0:
+                            reel(system, island, t0 if side == 0 else t)
                         sample_island(
                             system,
                             a if side == 0 else b,
@@ -128,6 +131,8 @@ def march_islands(system, old, now, work, clocks, control, begin, end, until, st
                 if where >= 0:
                     clocks.status[island], clocks.row[island] = BROKEN, where
                     break
+        if len(system.winches.place) > 0:
+            reel(system, island, t)
         if swapped:
             swap_island(system.lines, system.islands, old, now, island)
         clocks.begin[island], clocks.time[island], clocks.step[island] = t0, t, h

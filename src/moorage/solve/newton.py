@@ -14,6 +14,7 @@ from moorage.solve.junction import solve_junctions
 from moorage.solve.line_solve import assemble_and_reduce, back_substitute, reduce_line, substitute
 from moorage.system.assemble import add_joints, assemble_line
 from moorage.system.attach import settle
+from moorage.system.reel import add_winches
 from moorage.system.water import set_water
 
 
@@ -25,6 +26,8 @@ def assemble_island(system, state, start, work, island, c, t):
     for k in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
         assemble_line(system, state, start, work, islands.lines[k], c)
     add_joints(system, state, work, island, c)
+    if len(system.winches.place) > 0:
+        add_winches(system, state, work.force, island)
 
 
 @inlined
@@ -53,9 +56,11 @@ def newton_island(system, state, start, work, island, c, t):
 
 @inlined
 def solve_boundary(system, state, work, island, c):
-    """Add the joints, reduce the lines that are not yet, and solve the junction system."""
+    """Add joints and winches, reduce the lines that are not yet, and solve the junction system."""
     lines, islands = system.lines, system.islands
     add_joints(system, state, work, island, c)
+    if len(system.winches.place) > 0:
+        add_winches(system, state, work.force, island)
     for k in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
         line = islands.lines[k]
         if not walks_once(system, line) and system.riders.lines[line, CARRIER] == FLEXIBLE:

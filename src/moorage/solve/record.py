@@ -24,6 +24,7 @@ from moorage.physics.weight import wet_shares
 from moorage.solve.bends import end_bending, node_bending, record_joints
 from moorage.solve.fold import UP, waterplane
 from moorage.system.assemble import node_terms, rubbing_load, span_around, unit_or_zero
+from moorage.system.reel import reel, sample_winches
 from moorage.system.ride import surface_band
 
 # columns of Record.lines
@@ -157,6 +158,8 @@ def sample_island(system, state, t, island, sample):
             grounded += system.tension.length[j] * grounded_part(below, below_next)
             below = below_next
         sample[line, TENSION_B], sample[line, LOWEST], sample[line, GROUNDED] = tension, lowest, grounded
+    if len(system.winches.place) > 0:
+        sample_winches(system, state, island, sample, FORCE_A)
 
 
 @part
@@ -281,6 +284,8 @@ def record_watched(system, old, now, island_of_line, island, h, s, record, row):
             out[w, x] = 0.0
         for side in range(2):  # one call in a loop, because it is inlined and long
             state, share = old if side == 0 else now, 1.0 - s if side == 0 else s
+            if len(system.winches.place) > 0:
+                reel(system, island, record.time[row] + (h * (1.0 - s) if side == 1 else -h * s))
             force, _, lift = node_force(system, state, line, i)
             N, n, rub = bed_force(system, state, first, last, i)
             out[w, TENSION] += share * node_tension(system, state, line, i)
@@ -332,7 +337,7 @@ def node_tension(system, state, line, i):
 @part
 def record_nodes(system, old, now, island, h, s, record, row):
     """Write the node histories of an island at one time, and the bending that goes with the interpolated shape."""
-    islands = system.islands
+    islands, time = system.islands, record.node_time[row]
     for m in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
         line = islands.lines[m]
         first, last = line_nodes(system.lines, line)
@@ -342,18 +347,23 @@ def record_nodes(system, old, now, island, h, s, record, row):
             put(record.node_position[row], i, r)
             put(record.node_velocity[row], i, mix(s, v0, v1))
             if i < last:
-                j = np.uintp(i - line)
-                e, de = spans(old, i)
-                t0 = segment_tension(system.tension, j, e, de)
-                e, de = spans(now, i)
-                record.segment_tension[row, i - line] = (1.0 - s) * t0 + s * segment_tension(system.tension, j, e, de)
-        for i in range(first, last + 1):
+                record.segment_tension[row, i - line] = 0.0
             for x in range(CONTACT_COLUMNS):
                 record.contact[row, i, x] = 0.0
-            for side in range(2):
-                share = 1.0 - s if side == 0 else s
-                record_contact(system, old if side == 0 else now, first, last, i, share, record.contact[row, i])
+        for side in range(2):
+            state, share = old if side == 0 else now, 1.0 - s if side == 0 else s
+            if len(system.winches.place) > 0:
+                reel(system, island, time + (h * (1.0 - s) if side == 1 else -h * s))
+            for i in range(first, last + 1):
+                if i < last:
+                    e, de = spans(state, i)
+                    record.segment_tension[row, i - line] += share * segment_tension(
+                        system.tension, np.uintp(i - line), e, de
+                    )
+                record_contact(system, state, first, last, i, share, record.contact[row, i])
         if system.lines.bends[line]:
+            if len(system.winches.place) > 0:
+                reel(system, island, time)
             position = record.node_position[row]
             for i in range(first, last + 1):
                 bend = node_bending(system, old, now, s, position, line, i, record.node_time[row])

@@ -12,7 +12,7 @@ their length, and nothing else holds them.
 
 from __future__ import annotations
 
-from moorage._jit import kernel
+from moorage._jit import kernel, part
 from moorage._vec3 import get, put, sym_get
 from moorage.layout import CARRIER, FLEXIBLE, Weights, line_nodes, point_row
 from moorage.solve.line_solve import interior
@@ -27,7 +27,7 @@ INNER = 12  # Newton iterations of a step
 LEFT = 0.01  # of the imbalance at the start of a step, that its end may leave
 
 
-@kernel
+@part
 def copy_positions(lines, islands, island, source, target):
     """Copy the positions of an island."""
     for m in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
@@ -42,7 +42,7 @@ def copy_positions(lines, islands, island, source, target):
         put(target, row, get(source, row))
 
 
-@kernel
+@part
 def is_positive(system, own, island):
     """Whether the matrix of an island is positive in the nodes that were eliminated; own: inverses of their pivots."""
     lines, islands = system.lines, system.islands
@@ -59,7 +59,7 @@ def is_positive(system, own, island):
     return True
 
 
-@kernel
+@part
 def step_down(system, state, work, island, tau, reach, tolerance):
     """Take one implicit step from a state at rest; returns (whether its end was found, Newton iterations).
 

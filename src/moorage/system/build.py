@@ -27,8 +27,9 @@ from moorage.layout import (
 )
 from moorage.model import Attachment, Curve, Model, Motion
 from moorage.model.cables import is_joint
+from moorage.model.payout import paid_out
 from moorage.physics.morison import Morison
-from moorage.physics.motion import Tracks, no_tracks, spline_tracks
+from moorage.physics.motion import Tracks, no_tracks, spline_tracks, with_cubics
 from moorage.physics.point import PointLoads
 from moorage.physics.rigid import RigidLoads
 from moorage.physics.table import build_tables
@@ -43,6 +44,7 @@ from moorage.system.objects import Objects, build_rigid, rigid_rods, three, wate
 from moorage.system.sea import build_current, build_sea
 from moorage.system.segments import NodeSum, segment_table
 from moorage.system.topology import islands_of
+from moorage.system.winches import Reeled, Winch, as_cut, at_start, build_winches, longest_cut, no_winches, winches_of
 
 
 class Names(NamedTuple):
@@ -80,10 +82,12 @@ class Bodies(NamedTuple):
 
 
 class Releases(NamedTuple):
-    """Failures of a run: lines that come off where they are tied."""
+    """What happens in a run: lines that come off where they are tied, segments that winches make and remove."""
 
     times: dict[int, float]  # failure: the time (s) at which it comes, of those that do
-    rebuild: Callable[[frozenset[int]], Built]  # the system with some failures behind it, with the same rows
+    ends: dict[int, set[tuple[int, int]]]  # failure: line ends (line; 0: A, 1: B) that come off
+    rebuild: Callable[[frozenset[int], Reeled | None], Built]  # the system with failures behind it, and lines as cut
+    most: Reeled | None = None  # how lines are cut in results, which have rows of one number
 
 
 class Built(NamedTuple):
@@ -100,6 +104,9 @@ class Built(NamedTuple):
     bodies: Bodies
     body_loads: RigidLoads  # of all bodies by themselves
     rod_loads: RigidLoads  # of all rods that have nodes, beside those of their nodes
+    winches: tuple[Winch, ...]
+    reeled: Reeled | None  # how their lines are cut; None without any
+    paid: np.ndarray  # (controls,) rows of the tracks that hold what winches have paid out
 
 
 def build(
@@ -107,10 +114,12 @@ def build(
     motion: Motion | None = None,
     duration: float | None = None,
     released: frozenset[int] = frozenset(),
+    reeled: Reeled | None = None,
 ) -> Built:
     """Turn a checked model into arrays, with lines on their first catenary.
 
-    `released` holds the failures that have come (places in `model.failures`).
+    `released` holds the failures that have come (places in `model.failures`), `reeled` how the lines on winches are
+    cut; by default as at time 0.
 
     Raises
     ------
@@ -118,6 +127,10 @@ def build(
         The motion does not fit the model, or is shorter than `duration` (s).
     """
     env = model.environment
+    winches, paid = winches_of(model), [paid_out(control) for control in model.controls]
+    if winches:
+        reeled = at_start(winches, paid) if reeled is None else reeled
+        model = as_cut(model, winches, reeled)
     holders = holders_of(model, motion, duration, released)
     rigid = build_rigid(model, holders.objects.things, _reach(holders))  # joints keep the inertia of what comes off
     model = release(model, released)
@@ -159,6 +172,7 @@ def build(
         joints=joints,
         riders=riders,
         breaks=_breaks(model, released),
+        winches=no_winches(),
         tension=_tension(l, segments),
         bending=bending,
         weight=Weight(-env.gravity * mass, env.gravity * displaced, 0.5 * d),
@@ -169,8 +183,12 @@ def build(
         rigid=rigid,
         current=build_current(env.current),
         sea=build_sea(env.waves),
-        tracks=_tracks(motion, holders, clamps + axes),
+        tracks=with_cubics(_tracks(motion, holders, clamps + axes), [p.knots for p in paid], [p.pieces for p in paid]),
     )
+    first_track = len(system.tracks.rest) - len(paid)
+    if winches and reeled is not None:
+        ratio = ~np.isnan(segments["damping_ratio"])
+        system = system._replace(winches=build_winches(system, winches, reeled, first_track, island_of_line, ratio))
     state = new_state(rows_of(system), len(riders.objects))
     place_objects(holders.objects, riders, state)
     weight = env.gravity * (m - env.water_density * segments["area"])
@@ -184,7 +202,7 @@ def build(
         np.array([p.id for p in model.points], dtype=np.int64),
         node_ptr[: n + 1],
         segment_ptr[: n + 1],
-        l[: segment_ptr[n]],
+        l[: segment_ptr[n]].copy(),  # those of the system change at winches
         arc[: node_ptr[n]],
         [rod.id for rod in rods],
         holders.objects.names,
@@ -201,6 +219,9 @@ def build(
         bodies,
         build_rigid(model, list(model.bodies), np.ones(len(model.bodies))),
         build_rigid(model, list(rods), np.ones(len(rods))),
+        winches,
+        reeled,
+        first_track + np.arange(len(paid)),
     )
 
 
@@ -281,9 +302,20 @@ def place_objects(objects: Objects, riders: Riders, state: State) -> None:
 
 
 def releases_of(model: Model, motion: Motion | None = None, duration: float | None = None) -> Releases:
-    """Return what comes off in a run, and when."""
+    """Return what comes off in a run, and when, and what winches do."""
     times = {k: failure.time for k, failure in enumerate(model.failures) if failure.time > 0.0}
-    return Releases(times, lambda released: build(model, motion, duration, released))
+    ends = {
+        k: {
+            (i, end)
+            for i, line in enumerate(model.lines)
+            for end, tie in enumerate((line.end_a, line.end_b))
+            if line.id in failure.lines and tie == failure.attachment
+        }
+        for k, failure in enumerate(model.failures)
+    }
+    winches, paid = winches_of(model), [paid_out(control) for control in model.controls]
+    most = longest_cut(winches, paid, duration or 0.0) if winches else None
+    return Releases(times, ends, lambda released, reeled: build(model, motion, duration, released, reeled), most)
 
 
 def _breaks(model: Model, released: frozenset[int]) -> Breaks:
@@ -335,6 +367,7 @@ def _tension(l, segments) -> Tension:
         stiffness / l,
         damping / l,
         np.where(segments["pushes"] > 0.0, -1e300, 0.0),
+        np.zeros(len(l)),
         np.array(springs, dtype=np.int64),
         np.array(dampers, dtype=np.int64),
         build_tables(curves),

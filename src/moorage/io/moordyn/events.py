@@ -35,6 +35,7 @@ SYROPE_COLUMNS = (
     Column("Tmax0", ("tmax0", "tmax")),
     Column("Tmean0", ("tmean0", "tmean")),
 )
+MOORDYN_RANGE = (0.5, 2.0)  # MoorDyn-F stretches the last segment between these, and stops beyond
 _TARGETS: dict[str, Literal["body", "rod", "point"]] = {
     "BODY": "body",
     "B": "body",
@@ -64,15 +65,16 @@ def _failure(record: Record, found: Findings) -> Failure:
 
 
 def read_controls(table: Table, found: Findings) -> list[Control]:
-    """Return the control channels of the section."""
-    return [
-        Control(
-            channel=found.integer(record["ChannelID"], "ChannelID", record.source),
-            lines=read_ids(record["Line(s)"], "line of a control channel", found, record.source),
-            source=record.source,
+    """Return the control channels of the section; a channel may have several rows."""
+    channels: dict[int, Control] = {}
+    for record in records(table, CONTROL_COLUMNS, found):
+        channel = found.integer(record["ChannelID"], "ChannelID", record.source)
+        lines = read_ids(record["Line(s)"], "line of a control channel", found, record.source)
+        before = channels[channel].lines if channel in channels else ()
+        channels[channel] = Control(
+            channel=channel, lines=(*before, *lines), segment_range=MOORDYN_RANGE, source=record.source
         )
-        for record in records(table, CONTROL_COLUMNS, found)
-    ]
+    return list(channels.values())
 
 
 def read_loads(table: Table, found: Findings) -> list[ExternalLoad]:

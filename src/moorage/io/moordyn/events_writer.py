@@ -33,6 +33,10 @@ def controls(model: Model, flavour: Flavour, notes: list[str]) -> list[str]:
     """Return the section CONTROL."""
     if model.controls and flavour == "C":
         notes.append("MoorDyn-C does not read CONTROL")
+    if any(c.length is not None or c.rate is not None for c in model.controls):
+        notes.append("lengths and rates of control channels: not written, MoorDyn-F takes them from its host")
+    if any(c.end == "A" for c in model.controls):
+        notes.append("MoorDyn-F controls the length at end B only")
     rows = [[str(c.channel), ",".join(map(str, c.lines))] for c in model.controls]
     return table("CONTROL", "ChannelID Line(s)", "(-) (-)", rows)
 
