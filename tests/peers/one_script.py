@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import struct
 from collections.abc import Callable, Sequence
+from itertools import pairwise
 from pathlib import Path
 from typing import NamedTuple
 
@@ -66,18 +67,20 @@ def watch(m, scene: Scene, folder: Path, state: bytes | None = None) -> tuple[Se
     if m.__name__ != "moordyn":
         m.SaveState(system, "first.ic")
         first = Path("first.ic").read_bytes()
-        if scene.step:
-            m.SetDt(system, scene.step)
     if state is not None:
         Path("state.ic").write_bytes(state)
         m.LoadState(system, "state.ic")
+    if scene.step and m.__name__ != "moordyn":
+        m.SetDt(system, scene.step)
     kinds = ("Line", "Point", "Rod", "Body")
     numbers = [getattr(m, f"GetNumber{name.replace('Body', 'Bodie')}s")(system) for name in kinds]
     things = [[getattr(m, f"Get{k}")(system, i + 1) for i in range(n)] for k, n in zip(kinds, numbers, strict=True)]
     rows = []
     for k in range(round(scene.duration / scene.interval)):
         begin, end = (np.array(scene.way(j * scene.interval), float) for j in (k, k + 1))
-        force = m.Step(system, begin.tolist(), ((end - begin) / scene.interval).tolist(), k * scene.interval, scene.interval)
+        force = m.Step(
+            system, begin.tolist(), ((end - begin) / scene.interval).tolist(), k * scene.interval, scene.interval
+        )
         rows.append({"force": force, **_look(m, *things)})
     m.Close(system)
     return {name: np.array([row[name] for row in rows]) for name in rows[0] if np.size(rows[0][name])}, first
@@ -100,8 +103,10 @@ def by_runge_kutta(scene: Scene, folder: Path) -> Seen:
     out = scene.interval
     block = run(built, scene.duration, dt_out=out, dt_nodes=out, method="rk4", time_step=scene.rk4)
     ptr = built.names.node_ptr
-    middles = [int(a + (b - a) // 2) for a, b in zip(ptr[:-1], ptr[1:], strict=True)]
-    place = np.concatenate([block["point_position"], block["node_position"][:, middles]], axis=1)
+    middles = [int(a + (b - a) // 2) for a, b in pairwise(ptr)]
+    n = len(block["time"])
+    ends = block["rod_position"].reshape(n, -1, 3) if "rod_position" in block else np.zeros((n, 0, 3))
+    place = np.concatenate([block["point_position"], ends, block["node_position"][:, middles]], axis=1)
     return {"tension": np.linalg.norm(block["end_load"][1:, :, 1], axis=-1), "position": place[1:]}
 
 
