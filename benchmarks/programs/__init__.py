@@ -22,7 +22,6 @@ PACKAGES = {
     "moordyn_c": "moordyn",
     "moordyn_c_nodes": "moordyn",
     "moordyn_c_along": "moordyn",
-    "moordyn_c_objects": "moordyn",
     "moorpy_statics": "moorpy",
     "cabledyn_fem": "cabledyn",
     "moorage_march": "moorage",

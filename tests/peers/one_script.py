@@ -67,11 +67,11 @@ def watch(m, scene: Scene, folder: Path, state: bytes | None = None) -> tuple[Se
     if m.__name__ != "moordyn":
         m.SaveState(system, "first.ic")
         first = Path("first.ic").read_bytes()
-        if scene.step:
-            m.SetDt(system, scene.step)
     if state is not None:
         Path("state.ic").write_bytes(state)
         m.LoadState(system, "state.ic")
+    if scene.step and m.__name__ != "moordyn":
+        m.SetDt(system, scene.step)
     kinds = ("Line", "Point", "Rod", "Body")
     numbers = [getattr(m, f"GetNumber{name.replace('Body', 'Bodie')}s")(system) for name in kinds]
     things = [[getattr(m, f"Get{k}")(system, i + 1) for i in range(n)] for k, n in zip(kinds, numbers, strict=True)]
@@ -104,7 +104,9 @@ def by_runge_kutta(scene: Scene, folder: Path) -> Seen:
     block = run(built, scene.duration, dt_out=out, dt_nodes=out, method="rk4", time_step=scene.rk4)
     ptr = built.names.node_ptr
     middles = [int(a + (b - a) // 2) for a, b in pairwise(ptr)]
-    place = np.concatenate([block["point_position"], block["node_position"][:, middles]], axis=1)
+    n = len(block["time"])
+    ends = block["rod_position"].reshape(n, -1, 3) if "rod_position" in block else np.zeros((n, 0, 3))
+    place = np.concatenate([block["point_position"], ends, block["node_position"][:, middles]], axis=1)
     return {"tension": np.linalg.norm(block["end_load"][1:, :, 1], axis=-1), "position": place[1:]}
 
 

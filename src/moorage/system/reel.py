@@ -72,20 +72,20 @@ def wind(system, k, t):
 @inlined
 def set_node(system, x, i, l, inside):
     """Set what a node has of half a segment of length l, and of what else is beside it when it is inside."""
-    system.weight.dry[i] = part(x, DRY, l, inside)
-    system.morison.mass[i] = part(x, MASS, l, inside)
+    system.weight.dry[i] = share(x, DRY, l, inside)
+    system.morison.mass[i] = share(x, MASS, l, inside)
     for c in range(5):
-        system.morison.node[i, c] = part(x, WET + c, l, inside)
-    system.contact.spring[i], system.contact.damper[i] = part(x, BED, l, inside), part(x, BED + 1, l, inside)
+        system.morison.node[i, c] = share(x, WET + c, l, inside)
+    system.contact.spring[i], system.contact.damper[i] = share(x, BED, l, inside), share(x, BED + 1, l, inside)
     if system.contact.soil.on:
-        length = part(x, SOIL, l, inside)
+        length = share(x, SOIL, l, inside)
         system.contact.soil.size[i, 0] = length
-        system.contact.soil.size[i, 1] = part(x, SOIL + 1, l, inside) / length
-    system.friction.spring[i], system.friction.damper[i] = part(x, RUB, l, inside), part(x, RUB + 1, l, inside)
+        system.contact.soil.size[i, 1] = share(x, SOIL + 1, l, inside) / length
+    system.friction.spring[i], system.friction.damper[i] = share(x, RUB, l, inside), share(x, RUB + 1, l, inside)
 
 
 @inlined
-def part(x, column, l, inside):
+def share(x, column, l, inside):
     return x[SHARE + column] * l + inside * x[REST + column]
 
 
