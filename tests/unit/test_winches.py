@@ -11,6 +11,7 @@ from winches import chain_to_anchor, load_on_rope, smooth_rate, winch
 import moorage
 from moorage.model import Attachment, Curve, Failure, OutputChannel, Rod, RodType
 from moorage.model.payout import gentle_slopes, paid_out
+from moorage.results.vtk import write_vtk
 
 OUT = Curve((0.0, 2.0, 20.0), (0.0, 0.5, 0.5))
 
@@ -213,3 +214,28 @@ def test_a_host_that_asks_for_too_much_leaves_the_state_as_it_was():
         sim.step(200.0, sim.position, np.zeros((0, 3)))
     after = sim.save()
     assert all(np.array_equal(after[name], before[name]) for name in before if name != "host_paid")
+
+
+# --- what is made of results ----------------------------------------------------------------------------------------
+
+
+def test_pictures_pages_and_files_take_lines_that_grow(tmp_path):
+    ds = moorage.simulate(chain_to_anchor(winch(smooth_rate(0.5, ramp=5.0, stop=40.0))), duration=42.0, dt_out=1.0)
+    moorage.plot.save_figure(ds, tmp_path / "run.png")
+    moorage.view(ds).save(tmp_path / "view.html")
+    moorage.report(ds, tmp_path / "report.html")
+    write_vtk(ds, tmp_path / "vtk", every=10)
+    assert "210 to 227.5" in (tmp_path / "report.html").read_text()
+    (line,) = moorage.results.line_summaries(ds)
+    assert line.fairlead.maximum == pytest.approx(float(ds["fairlead_tension"].max()))
+
+
+def test_water_from_a_function_is_taken_over_a_cut():
+    def still(time, places):
+        return np.zeros(len(places)), np.zeros_like(places), np.zeros_like(places)
+
+    model = chain_to_anchor(winch(smooth_rate(0.5, ramp=5.0, stop=40.0)))
+    plain, given = (moorage.simulate(model, duration=20.0, dt_out=1.0, water=water) for water in (None, still))
+    assert plain.sizes["segment"] > 21
+    error = plain["fairlead_tension"].values - given["fairlead_tension"].values
+    assert np.sqrt(np.mean(error**2)) < 1e-2 * float(plain["fairlead_tension"].mean())  # nodes land at other steps

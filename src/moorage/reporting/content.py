@@ -137,8 +137,15 @@ def _lines(ds: xr.Dataset) -> list[Table]:
     if "segment_line" not in ds.coords:
         return []
     owner, length = ds["segment_line"].values, ds["unstretched_length"].values
+    lengths = {int(id): f"{length[owner == id].sum():.6g}" for id in ds["line"].values}
+    if "line_length" in ds:  # of lines on winches
+        first, last = ds["line_length"][0].values, ds["line_length"][-1].values
+        lengths = {
+            int(id): f"{a:.6g}" if a == b else f"{a:.6g} to {b:.6g}"
+            for id, a, b in zip(ds["line"].values, first, last, strict=True)
+        }
     rows = [
-        (str(int(id)), f"{length[owner == id].sum():.6g}", str(int((owner == id).sum())), str(a), str(b))
+        (str(int(id)), lengths[int(id)], str(int((owner == id).sum())), str(a), str(b))
         for id, a, b in zip(ds["line"].values, ds["end_a_kind"].values, ds["end_b_kind"].values, strict=True)
     ]
     return [Table("Lines", ("line", "length (m)", "segments", "end A", "end B"), rows)]
