@@ -89,7 +89,8 @@ def water_of_ours(rod: Cylinder, z: np.ndarray, share: np.ndarray, q: np.ndarray
     force[:, 1] = RHO * G * np.pi / 4.0 * d**2 * rod.length / (n * fine) * volume
     ends = np.clip(0.5 - z[[0, -1]] / band, 0.0, 1.0)
     moment = -RHO * G * np.pi / 64.0 * d**4 * (ends[0] - ends[1]) * q[0]
-    return Water(volume / whole, ends, force, moment)
+    wet = volume / whole
+    return Water(wet, wet[[0, -1]], force, moment)
 
 
 def loads(state: np.ndarray, moordyn_water: bool, moordyn_kinematics: bool) -> tuple[np.ndarray, np.ndarray]:

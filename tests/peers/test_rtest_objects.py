@@ -8,7 +8,7 @@
 * md_BodiesAndRods: a body of 1000 t with rods of 10 m in diameter falls 2 m until the water takes it. MoorDyn-F reads the
   columns of line types by their place (Cd Ca CdAx CaAx), whatever their heading says; ours go by the heading, which in
   this file is Can Cat Cdn Cdt. With its numbers the tensions are the same until the rods reach the water, and then part
-  with the rods' rules.
+  with the rods' rules: see `test_bodies_and_rods`.
 * md_lineFail: a free rod between four lines that come off its ends and a point one after another. Line 3 holds 2 MN, more
   than the 100 kN of its failure, which MoorDyn-F therefore has at once: here it is one at 1 ms.
 """

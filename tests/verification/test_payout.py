@@ -17,7 +17,8 @@ along its elastic and kinetic energy, so that without damping
 
     dE/dt = L' [-T (1 + T / EA) + T^2 / (2 EA) + m L'^2 / 2]                                            (2)
 
-with E of the rope and the load (heights from the winch). It is checked to 1e-3 of the work done.
+with E of the rope and the load (heights from the winch). It is checked to 1e-5 of the work done: trapezoids of 0.02 s
+leave h^2 / 12 of the change of the power's slope, 1e-6, and steps in time damp waves of 2 N only.
 """
 
 from __future__ import annotations
@@ -70,9 +71,9 @@ def test_without_the_thrust_the_check_fails(run):
 
 def test_segments_come_and_go(run):
     count = (run["segment_length"].values > 0.0).sum(axis=1)
-    first, last = (14, 10) if run["payout_rate"].min() < -0.5 else (10, 14)
-    assert {int(count[0]), int(count[-1])} == {first, last} if first < last else count[-1] < count[0]
-    assert len(np.flatnonzero(np.diff(count))) == 4
+    lowered = float(run["payout_rate"].max()) > 0.5
+    assert (count[0], count[-1]) == ((10, 14) if lowered else (10, 6))
+    assert np.abs(np.diff(count)).max() == 1
 
 
 def test_length_is_conserved_to_round_off(run):
@@ -81,7 +82,8 @@ def test_length_is_conserved_to_round_off(run):
     assert np.abs(run["segment_length"].values.sum(axis=1) - length).max() < 1e-12
     t, r = run["time"].values, run["payout_rate"].values[:, 0]
     integral = np.concatenate([[0.0], np.cumsum(0.5 * np.diff(t) * (r[1:] + r[:-1]))])
-    assert np.abs(100.0 + integral - length).max() < 1e-4  # trapezoids of 0.02 s: h^2 r' / 12 = 4e-6 m
+    assert np.abs(100.0 + integral - length).max() < 1e-5  # trapezoids of 0.02 s: h^2 r' / 12 = 4e-6 m
+    assert abs(length[-1] - 100.0) == pytest.approx(40.0, abs=1e-12)  # of 1 m/s over 60 s less two halves of 20 s
 
 
 def energy(ds):
@@ -105,15 +107,15 @@ def check_energy(ds, thrust=1.0):
     power = rate * (-T * (1.0 + T / EA) + 0.5 * T**2 / EA + 0.5 * MASS * rate**2)
     work = np.concatenate([[0.0], np.cumsum(0.5 * np.diff(ds["time"].values) * (power[1:] + power[:-1]))])
     E = energy(ds)
-    assert np.abs(E - E[0] - work).max() < 3e-4 * np.abs(work).max()
+    assert np.abs(E - E[0] - work).max() < 1e-5 * np.abs(work).max()
 
 
 def test_energy_changes_by_the_work_of_the_winch(run):
     check_energy(run)
 
 
-def test_the_energy_of_other_work_is_noticed(run):
-    must_fail(check_energy, run, thrust=100.0)
+def test_the_energy_without_the_thrust_fails(run):
+    must_fail(check_energy, run, thrust=0.0)
 
 
 def check_jumps(ds, bound):
