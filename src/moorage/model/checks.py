@@ -29,7 +29,14 @@ from moorage.model.cables import (
 from moorage.model.components import Curve, LineType
 from moorage.model.current_grid import CurrentGrid
 from moorage.model.environment import Bathymetry, FrictionMap, StiffnessMap
-from moorage.model.event_checks import channels_exist, described, events_name_what_exists, winches_are_possible
+from moorage.model.event_checks import (
+    channels_exist,
+    described,
+    events_name_what_exists,
+    failures_are_possible,
+    failures_that_never_come,
+    winches_are_possible,
+)
 from moorage.model.model import Model
 from moorage.model.seabed import below_seabed
 from moorage.model.turbines import (
@@ -70,7 +77,7 @@ def suspicious(model: Model) -> list[Problem]:
     """Return what can be run but is hardly meant."""
     doubts = (
         pinned_junctions, folded_joints, weak_friction, points_off_the_grid, anchors_over_the_bed, steep_waves,
-        doubtful_current, doubtful_directions, turbines_at_one_place,
+        doubtful_current, doubtful_directions, turbines_at_one_place, failures_that_never_come,
     )  # fmt: skip
     model = placed(model)
     return [problem for doubt in doubts for problem in doubt(model)]
@@ -337,6 +344,7 @@ CHECKS: tuple[Check, ...] = (
     sections_are_graded_well,
     free_points_are_held,
     events_name_what_exists,
+    failures_are_possible,
     winches_are_possible,
     channels_exist,
     anchors_are_not_buried,
@@ -351,5 +359,6 @@ REFERRING: tuple[Check, ...] = (
     clamps_are_apart,
     free_points_are_held,
     events_name_what_exists,
+    failures_are_possible,
     channels_exist,
 )

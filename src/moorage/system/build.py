@@ -86,7 +86,7 @@ class Releases(NamedTuple):
 
     times: dict[int, float]  # failure: the time (s) at which it comes, of those that do
     ends: dict[int, set[tuple[int, int]]]  # failure: line ends (line; 0: A, 1: B) that come off
-    rebuild: Callable[[frozenset[int], Reeled | None], Built]  # the system with failures behind it, and lines as cut
+    rebuild: Callable[[tuple[int, ...], Reeled | None], Built]  # the system with failures behind it, and lines as cut
     most: Reeled | None = None  # how lines are cut in results, which have rows of one number
 
 
@@ -113,13 +113,13 @@ def build(
     model: Model,
     motion: Motion | None = None,
     duration: float | None = None,
-    released: frozenset[int] = frozenset(),
+    released: tuple[int, ...] = (),
     reeled: Reeled | None = None,
 ) -> Built:
     """Turn a checked model into arrays, with lines on their first catenary.
 
-    `released` holds the failures that have come (places in `model.failures`), `reeled` how the lines on winches are
-    cut; by default as at time 0.
+    `released` holds the failures that have come (places in `model.failures`, in the order in which they came), `reeled`
+    how the lines on winches are cut; by default as at time 0.
 
     Raises
     ------
@@ -318,7 +318,7 @@ def releases_of(model: Model, motion: Motion | None = None, duration: float | No
     return Releases(times, ends, lambda released, reeled: build(model, motion, duration, released, reeled), most)
 
 
-def _breaks(model: Model, released: frozenset[int]) -> Breaks:
+def _breaks(model: Model, released: tuple[int, ...]) -> Breaks:
     """Return the line ends that come off at a force."""
     rows = []
     for k, failure in enumerate(model.failures):
