@@ -271,8 +271,9 @@ class System:
         """Let lines come off whose failure has come: at a time, or at a tension of the line at that end."""
         before = len(self.failures)
         for failure in list(self.failures):
-            places = tuple(k for k, line in enumerate(self.model.lines) if line.id in failure.lines)
-            if self._fails(failure, places):
+            lines = enumerate(self.model.lines)  # those that it finds there still
+            places = tuple(k for k, x in lines if x.id in failure.lines and failure.attachment in (x.end_a, x.end_b))
+            if places and self._fails(failure, places):
                 self.failures.remove(failure)
                 self.break_off(failure.attachment, places)
         return len(self.failures) < before
