@@ -75,9 +75,8 @@ def _bare_once_all_fail(model: Model) -> Iterator[Problem]:
         if place in massless and (failure.time > 0.0 or failure.tension > 0.0):
             failing.setdefault(place, []).append(failure)
             tied -= {(*place, id) for id in failure.lines}
-    for place, failures in failing.items():
-        if all(tie[:2] != place for tie in tied):
-            kind, id = place
+    for (kind, id), failures in failing.items():
+        if all(tie[:2] != (kind, id) for tie in tied):
             ids = " and ".join(str(failure.id) for failure in failures)
             remedy = "give it mass, or leave a line on it" if kind == "point" else "leave a line on it"
             message = f"failure {ids}: {kind} {id} would be left with neither lines nor mass"

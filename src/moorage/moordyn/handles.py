@@ -78,7 +78,7 @@ def live(system: System) -> System:
     return system
 
 
-def of(kind: type, handle) -> System:
+def of(kind: type[Line | Point | Rod | Body], handle: object) -> System:
     """Return the system of a handle, if that is of a kind."""
     if not isinstance(handle, kind):
         raise TypeError(f"a {kind.__name__.lower()} is wanted, not {type(handle).__name__}")

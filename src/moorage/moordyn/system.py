@@ -61,6 +61,10 @@ class System:
         self.model = placed(without_host_parts(model))
         for warning in caught:
             self.log.say(LEVEL_WRN, str(warning.message))
+        if model.controls:
+            channels = ", ".join(str(control.channel) for control in model.controls)
+            what = f"control channels are not used here ({channels}): hosts set lengths with SetLineUnstretchedLength"
+            self.log.say(LEVEL_WRN, f"{model.controls[0].source or path}: {what}")
         self.step_max: float | None = None
         self.scheme = option(self.model, "tScheme", "implicit")
         self.pay_out: dict[int, float] = {}  # line: rate of its unstretched length, m/s
