@@ -26,7 +26,7 @@ from moorage.model.cables import (
     springs_are_possible,
     stiffeners_fit,
 )
-from moorage.model.components import Curve, LineType
+from moorage.model.components import Body, Curve, ExternalLoad, LineType
 from moorage.model.current_grid import CurrentGrid
 from moorage.model.environment import Bathymetry, FrictionMap, StiffnessMap
 from moorage.model.event_checks import (
@@ -200,9 +200,23 @@ def objects_are_possible(model: Model) -> Iterator[Problem]:
     for body in model.bodies:
         weak = "mass inertia volume drag_area added_mass"
         yield from _signs(body, f"body {body.id}", body.source, "", weak)
+        for names, count in (("position rotation centre_of_gravity inertia", 3), ("drag_area added_mass", 6)):
+            yield from _counts(body, f"body {body.id}", names, (count,))
     for load in model.external_loads:
         weak = "linear_damping quadratic_damping"
         yield from _signs(load, f"external load {load.id}", load.source, "", weak)
+        yield from _counts(load, f"external load {load.id}", "force", (3,))
+        yield from _counts(load, f"external load {load.id}", weak, (1, 2, 3) if load.target == "rod" else (1, 3))
+
+
+def _counts(thing: Body | ExternalLoad, name: str, fields: str, counts: tuple[int, ...]) -> Iterator[Problem]:
+    """Yield the fields (listed with blanks between) that have another number of values."""
+    for field in fields.split():
+        values = getattr(thing, field)
+        if len(values) not in counts:
+            wanted = " or ".join(map(str, counts))
+            message = f"{field.replace('_', ' ')} of {name} has {len(values)} values"
+            yield Problem(message, f"give {wanted}", thing.source, values)
 
 
 def names_are_unique(model: Model) -> Iterator[Problem]:

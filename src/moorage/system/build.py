@@ -375,7 +375,7 @@ def _tension(l, segments) -> Tension:
 
 
 def _points(model: Model, holders: Holders) -> PointLoads:
-    """Loads of the points by themselves; of the holders after them, only joints have given loads."""
+    """Loads of the points by themselves; given ones also of joints, and at ends A of rods that are fixed to bodies."""
     env, count = model.environment, len(holders.rest)
 
     def column(values):
@@ -388,7 +388,11 @@ def _points(model: Model, holders: Holders) -> PointLoads:
     given = np.zeros((count, 3, 3))
     given[: len(model.points), 0] = np.array([p.external_force for p in model.points], dtype=float).reshape(-1, 3)
     place = {("point", point.id): k for k, point in enumerate(model.points)}
-    place |= {("rod", rod.id): holders.number[Attachment("rod", rod.id, "A")] for rod in model.rods if is_joint(rod)}
+    place |= {
+        ("rod", rod.id): holders.number[Attachment("rod", rod.id, "A")]
+        for rod in model.rods
+        if is_joint(rod) or (rod.body is not None and rod.kind == "fixed")
+    }
     for load in model.external_loads:
         if (at := place.get((load.target, load.target_id))) is not None:
             given[at] += [
