@@ -423,7 +423,7 @@ class March:
 
 def _must_have_nodes(built: Built, watch: tuple[tuple[int, int], ...]) -> None:
     """Refuse to watch nodes that are not there: kernels do not look whether they are."""
-    nodes = np.diff(built.names.node_ptr)
+    nodes = np.diff(built.system.lines.node_ptr)
     for w, count in zip(built.winches, built.reeled.segments if built.reeled else (), strict=True):
         nodes[w.line] += len(w.lengths) - count  # as described
     for line, node in watch:
