@@ -4,10 +4,14 @@ Verifies: soil, contact
 
 Curves (docs/theory.md, after Randolph & Quiggin 2009). Of a node, moved by hand:
 
+* the bearing factor is a (z / D)^b from z / D = 0.1 on and N_c(0.1) sqrt(10 z / D) above (OrcaFlex's manual), to rounding,
+  with no jump between; a power up to the mudline must fail;
 * first penetration is P_u K z / (1 + K z), K = k_max / D, to rounding;
 * every turn of the motion meets the stiffness K P_u: over a way d the difference is off in first order (rate 1), and below
   1 % at d = 1e-6 D;
 * the way up is its formula, to 1e-9; of a stiff soil that does not let go (k_max = 1e6, l_suc = 1e3) uplift goes to -f P_u within 1e-3 of it;
+* the way down after an uplift is its formula, to 1e-9, from the water (z0 = P0 = 0: a second contact is no first one) and
+  from a turn in the soil; bounded by the first curve it meets that without a jump;
 * what is lifted off and pressed again meets less resistance until it is l_rep z_max deeper than before, and from there on
   that of first penetration, to 1e-9.
 
@@ -51,8 +55,13 @@ def soil_of(soil: Soil):
 
 def bearing(soil: Soil, z):
     z = np.asarray(z, float)
-    strength = soil.shear_strength + soil.strength_gradient * z
-    return soil.bearing_factor * (z / D) ** soil.bearing_exponent * strength * D
+    return bearing_factor(soil, z / D) * (soil.shear_strength + soil.strength_gradient * z) * D
+
+
+def bearing_factor(soil: Soil, ratio):
+    """N_c of OrcaFlex's manual."""
+    power = soil.bearing_factor * np.maximum(ratio, 0.1) ** soil.bearing_exponent
+    return power * np.sqrt(np.minimum(10.0 * ratio, 1.0))
 
 
 def first(soil: Soil, z):
@@ -72,6 +81,30 @@ def led(soil: Soil, way) -> np.ndarray:
 def path(*turns: float, points: int = 400) -> np.ndarray:
     """Penetrations from turn to turn (m)."""
     return np.concatenate([np.linspace(a, b, points) for a, b in pairwise(turns)])
+
+
+def borne(soil: Soil, ratio) -> np.ndarray:
+    """N_c at parts of the diameter, from the resistance that a node meets there for the first time."""
+    z = D * np.asarray(ratio)
+    Kz = soil.maximum_stiffness / D * z
+    met = np.array([resistance(soil_of(soil), NODE, FRESH, float(depth))[0] for depth in z])
+    return met * (1.0 + Kz) / Kz / (soil.shear_strength + soil.strength_gradient * z) / D
+
+
+def check_bearing(exponent_of_shallow: float) -> None:
+    """Values by hand: 6 x 0.1^0.25 = 3.374048; a quarter of the depth halves it."""
+    assert borne(SOIL, [0.1, 0.4, 1.6]) == pytest.approx([3.374048, 4.771624, 6.748097], rel=1e-6)
+    shallow = 3.374048 * np.array([0.25, 0.5]) ** exponent_of_shallow
+    assert borne(SOIL, [0.025, 0.05]) == pytest.approx(shallow, rel=1e-6)
+    assert borne(SOIL, [0.1 - 1e-9]) == pytest.approx(borne(SOIL, [0.1 + 1e-9]), rel=1e-7)
+
+
+def test_bearing_factor():
+    check_bearing(0.5)
+
+
+def test_a_power_up_to_the_mudline_fails():
+    must_fail(check_bearing, SOIL.bearing_exponent)
 
 
 def test_first_penetration():
@@ -114,6 +147,26 @@ def test_suction_comes_and_goes():
     assert pytest.approx(uplift(SOIL, deep, float(first(SOIL, deep)), z), rel=1e-9, abs=1e-9) == P
     assert P.argmin() in range(50, 350)
     assert led(SOIL, path(0.0, deep, 0.0))[-1] == 0.0
+
+
+def pressed_again(soil: Soil, z0: float, P0: float, deepest: float, z):
+    """Resistance (N/m) on the way down from z0, P0, without the bound of the first curve."""
+    below = z - deepest - soil.repenetration_offset * (deepest - z0)
+    aim = bearing(soil, z) * np.exp(np.minimum(0.0, below / deepest))
+    way = bearing(soil, z) * soil.maximum_stiffness / D * (z - z0)
+    return aim + (P0 - aim) * np.abs(P0 - aim) / (np.abs(P0 - aim) + way)
+
+
+@pytest.mark.parametrize(("turn", "z0"), [(-0.01, 0.0), (0.03, 0.03), (0.049, 0.049)])
+def test_way_down_after_an_uplift(turn, z0):
+    """From the water, where nothing is left of the uplift, and from turns in the soil."""
+    deep = 0.05
+    way = path(0.0, deep, turn, 2.0 * deep)
+    P, z = led(SOIL, way), way[800:]
+    P0 = float(P[799]) if z0 else 0.0
+    inside = z > z0 + 1e-9
+    expected = np.minimum(pressed_again(SOIL, z0, P0, deep, z[inside]), first(SOIL, z[inside]))
+    assert P[800:][inside] == pytest.approx(expected, rel=1e-9)
 
 
 def test_soil_is_softer_where_it_was_pressed_before():
