@@ -4,8 +4,8 @@ Verifies: soil, contact
 
 Curves (docs/theory.md, after Randolph & Quiggin 2009). Of a node, moved by hand:
 
-* the bearing factor is a (z / D)^b from z / D = 0.1 on and N_c(0.1) sqrt(10 z / D) above (OrcaFlex's manual), to rounding,
-  with no jump between; a power up to the mudline must fail;
+* the bearing factor is a (z / D)^b from z / D = 0.1 on and N_c(0.1) sqrt(10 z / D) below that (OrcaFlex's manual), to
+  rounding, with no jump between; a power up to the mudline must fail;
 * first penetration is P_u K z / (1 + K z), K = k_max / D, to rounding;
 * every turn of the motion meets the stiffness K P_u: over a way d the difference is off in first order (rate 1), and below
   1 % at d = 1e-6 D;
@@ -24,8 +24,8 @@ only, to 1e-4.
 
 A chain lifted off. At rest a chain lies where P is its weight, to 1e-6. The fairlead of a hanging one is lifted slowly. What
 this costs more where the soil sucks is what the soil takes more, by the curves, of each metre on the way from rest to the
-water, times the metres that leave the bed: within 2 % (length on the bed is counted in halves of segments of 0.125 m, 0.7 % of
-18 m, at both ends; the tolerance of 0.05 mm leaves 1 %). Let down again, it costs the same, to 2 % of that. Segments must be
+water, times the metres that leave the bed: within 2 % (length on the bed is counted in halves of segments of 0.125 m, 0.7 %
+of 18 m, at both ends; the tolerance of 0.05 mm leaves 1 %). Let down again, it costs the same, to 2 % of that. Segments must be
 shorter than the way along which a chain peels off, sqrt(2 H u / (f w)), 0.1 to 0.5 m here with u the way in which suction
 dies out: nodes further apart jump off, and on 1 m the chain takes ten times as much.
 
