@@ -170,7 +170,8 @@ class Soil:
     strength_gradient : float
         Its growth with depth, Pa/m.
     bearing_factor, bearing_exponent : float
-        a and b of the bearing capacity N_c = a (z / D)^b of a line of diameter D at the penetration z.
+        a and b of the bearing capacity N_c = a (z / D)^b of a line of diameter D at the penetration z; where that is
+        less than D / 10, N_c is that of D / 10 times sqrt(10 z / D).
     maximum_stiffness : float
         k_max: every turn of the motion meets the stiffness k_max P_u / D, P_u = N_c s_u D, for a metre.
     suction_ratio : float
