@@ -119,6 +119,9 @@ class Friction:
     shear_stiffness : float or None
         Of the spring that holds a node that sticks, Pa/m on d l; by default that of the seabed's normal stiffness, so
         that a line slips after mu times the depth to which it sinks in.
+    shear_damping : float
+        Of that spring in elastic-slip, over the critical damping of a node's mass on it, -. Without, nodes that stick
+        go on ringing.
     laid : bool
         Whether statics know friction: the line was laid without tension from end A along the bed, and then pulled to
         its place, so that tension falls from the touchdown towards the anchor. Otherwise statics are without friction.
@@ -140,6 +143,7 @@ class Friction:
     )
     damping: float = 200.0
     shear_stiffness: float | None = None
+    shear_damping: float = 0.3
     velocity: float = 0.01
     laid: bool = False
     map: FrictionMap | None = None
