@@ -200,6 +200,8 @@ def static_tables(
         object_table(objects, run=False)
     if "turbine_force" in ds:
         out.print("\nthe stiffness that each turbine feels is printed by the command stiffness")
+    elif ds["stiffness"].isnull().any():
+        out.print("\nthe stiffness of the coupled points is not computed: rods or bodies hang from a coupled pin")
     elif ds["stiffness"].values.any():
         table = _table(
             "\nStiffness of the coupled points as one platform (N, m, rad)", ["", *map(str, ds["dof"].values)]

@@ -12,7 +12,7 @@ from moorings import fixed, held, kind, line
 from moorage.accept import accept
 from moorage.errors import ModelError, ModelWarning, Source
 from moorage.io import read
-from moorage.model import Attachment, Failure, Model, Point, RodType
+from moorage.model import Attachment, ExternalLoad, Failure, Model, Point, RodType
 from moorage.model.checks import check
 from moorage.model.inertia import lent_inertia, objects_have_inertia
 
@@ -163,6 +163,26 @@ def test_a_body_that_carries_itself(deck):
         read(deck((heading, BODIES + heading)))
     assert "model.dat:10: bodies do not ride on bodies, not on others and not on themselves" in str(caught.value)
     assert "(read: 'Body1')\n    -> tie them with lines, or write Fixed, Coupled" in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("values", "message"),
+    [
+        ({"drag_area": (1.0,) * 5}, "model.dat:12: drag area of body 1 has 5 values (read: (1.0, 1.0, 1.0, 1.0, 1.0))"),
+        ({"added_mass": (1.0,) * 3}, "added mass of body 1 has 3 values"),
+        ({"inertia": (1.0, 1.0)}, "inertia of body 1 has 2 values (read: (1.0, 1.0))\n    -> give 3"),
+    ],
+)
+def test_bodies_have_six_components(values, message):
+    with pytest.raises(ModelError) as caught:
+        check(floating((body(source=AT, **values),)))
+    assert message in str(caught.value)
+
+
+def test_dampings_of_loads_are_one_or_three():
+    load = ExternalLoad(id=4, target="body", target_id=1, linear_damping=(1.0, 2.0, 3.0, 4.0))
+    with pytest.raises(ModelError, match=r"linear damping of external load 4 has 4 values.*\n.*give 1 or 3"):
+        check(dataclasses.replace(floating((body(),)), external_loads=(load,)))
 
 
 def test_the_good_model_passes():

@@ -48,6 +48,13 @@ CASES = {
             ExternalLoad(id=1, target="rod", target_id=1, local=True, linear_damping=(1.0, 1.0, 2.0), source=AT),
         ),
     ),
+    "damping along a rod that is fixed to a body is": lambda m: dataclasses.replace(
+        m,
+        rods=(Rod(id=1, rod_type="r", kind="fixed", body=1, end_a=PLACE[0], end_b=PLACE[1], segments=2, source=AT),),
+        external_loads=(
+            ExternalLoad(id=1, target="rod", target_id=1, local=True, linear_damping=(1.0, 2.0), source=AT),
+        ),
+    ),
     "viscoelastic lines are": _with_type(viscoelastic=(1e8,)),
     "damping in bending is": _with_type(bending_stiffness=1e4, bending_damping=1e2),
     "the Syrope model is": _with_type(syrope="s.dat", viscoelastic=(1e8, 1.0)),

@@ -1,16 +1,20 @@
 """Joints of cables at every door: files of MoorDyn, runs, lines that come off, hosts, states, loads, modes."""
 
 import dataclasses
+import json
 import warnings
 
 import numpy as np
 import pytest
 from cables import JOINT, at_once
 from moorings import fixed, held, joint, kind, line, mooring, statics
+from typer.testing import CliRunner
 
 import moorage
 import moorage.moordyn as moordyn
+from moorage.cli import app
 from moorage.errors import UnsupportedError
+from moorage.io import write_native
 from moorage.model import ExternalLoad, Failure, Motion
 
 
@@ -130,3 +134,13 @@ def test_modes_of_a_joint_are_positive():
 def test_stiffness_at_a_coupled_pin_is_refused():
     with pytest.raises(UnsupportedError, match="rod 1 hangs from a coupled pin"):
         moorage.stiffness(model("coupled-pinned"))
+
+
+def test_statics_at_a_coupled_pin_say_that_there_is_no_stiffness(tmp_path):
+    path = tmp_path / "joint.yaml"
+    write_native(model("coupled-pinned"), path)
+    printed = CliRunner().invoke(app, ["static", str(path)]).stdout
+    assert "is not computed: rods or bodies hang from a coupled pin" in " ".join(printed.split())
+    assert "nan" not in printed
+    report = json.loads(CliRunner().invoke(app, ["static", str(path), "--json"]).stdout)
+    assert report["stiffness"] == [[None] * 6] * 6

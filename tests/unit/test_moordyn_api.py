@@ -315,8 +315,10 @@ def test_the_host_may_give_the_water(deck):
     for _ in range(3):
         force = moordyn.Step(other, start(other), [0.0] * 3, other.time, DT)
     assert abs(force[1]) < 1e-3 * abs(force[0])
-    with pytest.raises(RuntimeError, match="24 x 3"):
+    with pytest.raises(ValueError, match="24 x 3"):
         moordyn.ExternalWaveKinSet(system, [[0.0] * 3], [[0.0] * 3], 0.0)
+    with pytest.raises(RuntimeError, match="NaN or inf among the accelerations"):
+        moordyn.ExternalWaveKinSet(system, [[0.0] * 3] * 24, [[np.nan] * 3] * 24, 0.0)
     assert moordyn.GetSeafloor(system) is None
     assert moordyn.GetWavesKin(moordyn.GetWaves(system), 0.0, 0.0, -10.0) == ((0.0,) * 3, (0.0,) * 3, 0.0, 0.0)
 

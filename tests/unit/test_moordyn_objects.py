@@ -269,3 +269,34 @@ def test_lines_and_bodies_together_and_a_step_tried_again():
         sim.step(0.2, target[:6], np.zeros(6))
     with pytest.raises(moorage.SimulationError, match="NaN"):
         sim.step(0.2, target * np.nan, np.zeros(9))
+
+
+def test_the_courant_number_is_that_of_lines(system):
+    """Rods have no waves along them: of two segments of 3 m and 25/3 m the shorter is the stiffer."""
+    moordyn.SetDt(system, 0.01)
+    number = moordyn.GetCFL(system)
+    mass = 0.5 * 3.0 * 35.0  # of the end node of the short line, kg
+    assert number == pytest.approx(0.01 * (5515288.0 / 3.0 / mass) ** 0.5)
+    moordyn.SetCFL(system, 2.0 * number)
+    assert moordyn.GetDt(system) == pytest.approx(0.02)
+
+
+def test_handles_of_one_kind_are_not_taken_for_another(system):
+    line, point, body = (get(system, 1) for get in (moordyn.GetLine, moordyn.GetPoint, moordyn.GetBody))
+    for call in (moordyn.GetBodyPos, moordyn.GetRodForce, moordyn.GetPointForce):
+        with pytest.raises(TypeError, match="is wanted, not Line"):
+            call(line)
+    with pytest.raises(TypeError, match="a line is wanted, not Body"):
+        moordyn.GetLineNodePos(body, 0)
+    with pytest.raises(TypeError, match="a line is wanted, not Point"):
+        moordyn.BreakLine(system, point, point)
+    with pytest.raises(TypeError):
+        moordyn.GetLine(system, 1.5)
+
+
+def test_a_point_without_mass_keeps_a_line(path):
+    path.write_text(path.read_text().replace("-2   20.0  0", "-2   0.0   0"))
+    system = moordyn.Create(str(path))
+    moordyn.Init(system, [], [])
+    with pytest.raises(RuntimeError, match="point 1 would be left with neither lines nor mass"):
+        moordyn.BreakLine(system, moordyn.GetPoint(system, 1), moordyn.GetLine(system, 1))

@@ -9,6 +9,8 @@ import pytest
 from winches import chain_to_anchor, load_on_rope, smooth_rate, winch
 
 import moorage
+import moorage.moordyn as moordyn
+from moorage.io import write_native
 from moorage.model import Attachment, Curve, Failure, OutputChannel, Rod, RodType
 from moorage.model.payout import gentle_slopes, paid_out
 from moorage.results.vtk import write_vtk
@@ -212,6 +214,9 @@ def test_a_host_that_asks_for_too_much_leaves_the_state_as_it_was():
     sim.set_payout(1, -120.0)
     with pytest.raises(moorage.MoorageError, match="line 1 would have"):
         sim.step(200.0, sim.position, np.zeros((0, 3)))
+    sim.set_payout(1, 10000.0)
+    with pytest.raises(moorage.MoorageError, match=r"line 1: a rate of 1e\+05 m/s at 0 s makes a segment every"):
+        sim.step(0.1, sim.position, np.zeros((0, 3)))
     after = sim.save()
     assert all(np.array_equal(after[name], before[name]) for name in before if name != "host_paid")
 
@@ -239,3 +244,9 @@ def test_water_from_a_function_is_taken_over_a_cut():
     assert plain.sizes["segment"] > 21
     error = plain["fairlead_tension"].values - given["fairlead_tension"].values
     assert np.sqrt(np.mean(error**2)) < 1e-2 * float(plain["fairlead_tension"].mean())  # nodes land at other steps
+
+
+def test_the_module_of_moordyn_says_that_it_has_no_channels(tmp_path, capsys):
+    write_native(load_on_rope(winch(0.5)), tmp_path / "rope.yaml")
+    moordyn.Create(str(tmp_path / "rope.yaml"))
+    assert "control channels are not used here (1): hosts set lengths" in capsys.readouterr().err

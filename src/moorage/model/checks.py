@@ -26,10 +26,17 @@ from moorage.model.cables import (
     springs_are_possible,
     stiffeners_fit,
 )
-from moorage.model.components import Curve, LineType
+from moorage.model.components import Body, Curve, ExternalLoad, LineType
 from moorage.model.current_grid import CurrentGrid
 from moorage.model.environment import Bathymetry, FrictionMap, StiffnessMap
-from moorage.model.event_checks import channels_exist, described, events_name_what_exists, winches_are_possible
+from moorage.model.event_checks import (
+    channels_exist,
+    described,
+    events_name_what_exists,
+    failures_are_possible,
+    failures_that_never_come,
+    winches_are_possible,
+)
 from moorage.model.model import Model
 from moorage.model.seabed import below_seabed
 from moorage.model.turbines import (
@@ -70,7 +77,7 @@ def suspicious(model: Model) -> list[Problem]:
     """Return what can be run but is hardly meant."""
     doubts = (
         pinned_junctions, folded_joints, weak_friction, points_off_the_grid, anchors_over_the_bed, steep_waves,
-        doubtful_current, doubtful_directions, turbines_at_one_place,
+        doubtful_current, doubtful_directions, turbines_at_one_place, failures_that_never_come,
     )  # fmt: skip
     model = placed(model)
     return [problem for doubt in doubts for problem in doubt(model)]
@@ -193,9 +200,23 @@ def objects_are_possible(model: Model) -> Iterator[Problem]:
     for body in model.bodies:
         weak = "mass inertia volume drag_area added_mass"
         yield from _signs(body, f"body {body.id}", body.source, "", weak)
+        for names, count in (("position rotation centre_of_gravity inertia", 3), ("drag_area added_mass", 6)):
+            yield from _counts(body, f"body {body.id}", names, (count,))
     for load in model.external_loads:
         weak = "linear_damping quadratic_damping"
         yield from _signs(load, f"external load {load.id}", load.source, "", weak)
+        yield from _counts(load, f"external load {load.id}", "force", (3,))
+        yield from _counts(load, f"external load {load.id}", weak, (1, 2, 3) if load.target == "rod" else (1, 3))
+
+
+def _counts(thing: Body | ExternalLoad, name: str, fields: str, counts: tuple[int, ...]) -> Iterator[Problem]:
+    """Yield the fields (listed with blanks between) that have another number of values."""
+    for field in fields.split():
+        values = getattr(thing, field)
+        if len(values) not in counts:
+            wanted = " or ".join(map(str, counts))
+            message = f"{field.replace('_', ' ')} of {name} has {len(values)} values"
+            yield Problem(message, f"give {wanted}", thing.source, values)
 
 
 def names_are_unique(model: Model) -> Iterator[Problem]:
@@ -337,6 +358,7 @@ CHECKS: tuple[Check, ...] = (
     sections_are_graded_well,
     free_points_are_held,
     events_name_what_exists,
+    failures_are_possible,
     winches_are_possible,
     channels_exist,
     anchors_are_not_buried,
@@ -351,5 +373,6 @@ REFERRING: tuple[Check, ...] = (
     clamps_are_apart,
     free_points_are_held,
     events_name_what_exists,
+    failures_are_possible,
     channels_exist,
 )

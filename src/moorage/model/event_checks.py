@@ -8,7 +8,7 @@ from typing import Any
 
 from moorage.errors import Problem
 from moorage.model.channels import parse_channel, why_not
-from moorage.model.components import Attachment, Control, Curve, Line
+from moorage.model.components import Attachment, Control, Curve, Failure, Line
 from moorage.model.model import Model
 
 
@@ -50,6 +50,44 @@ def events_name_what_exists(model: Model) -> Iterator[Problem]:
         if all(thing.id != load.target_id for thing in groups[load.target]):
             message = f"external load {load.id} is on {load.target} {load.target_id}, which is not described"
             yield Problem(message, described(model, load.target), load.source)
+
+
+def failures_are_possible(model: Model) -> Iterator[Problem]:
+    """A failure takes lines off at a time or tension that can come, and leaves nothing behind that nothing holds."""
+    for failure in model.failures:
+        if not failure.lines:
+            yield Problem(f"failure {failure.id} names no lines", "name those that come off", failure.source)
+        for name, value in (("time", failure.time), ("tension", failure.tension)):
+            if value < 0.0:
+                message = f"{name} of failure {failure.id} must not be negative"
+                yield Problem(message, "write 0 where it does not count", failure.source, value)
+    yield from _bare_once_all_fail(model)
+
+
+def _bare_once_all_fail(model: Model) -> Iterator[Problem]:
+    """Points and joints without mass from which failures take all lines."""
+    massless = {("point", point.id) for point in model.points if point.kind == "free" and not point.mass > 0.0}
+    massless |= {("rod", rod.id) for rod in model.rods if rod.kind == "free" and rod.segments == 0}
+    tied = {(end.kind, end.id, line.id) for line in model.lines for end in _ends(line)}
+    failing: dict[tuple[str, int], list[Failure]] = {}
+    for failure in model.failures:
+        place = (failure.attachment.kind, failure.attachment.id)
+        if place in massless and (failure.time > 0.0 or failure.tension > 0.0):
+            failing.setdefault(place, []).append(failure)
+            tied -= {(*place, id) for id in failure.lines}
+    for (kind, id), failures in failing.items():
+        if all(tie[:2] != (kind, id) for tie in tied):
+            ids = " and ".join(str(failure.id) for failure in failures)
+            remedy = "give it mass, or leave a line on it" if kind == "point" else "leave a line on it"
+            message = f"failure {ids}: {kind} {id} would be left with neither lines nor mass"
+            yield Problem(message, remedy, failures[-1].source)
+
+
+def failures_that_never_come(model: Model) -> Iterator[Problem]:
+    """Doubt failures that name neither a time nor a tension."""
+    for failure in model.failures:
+        if failure.time == 0.0 and failure.tension == 0.0:
+            yield Problem(f"failure {failure.id} never comes", "give it a time or a tension", failure.source)
 
 
 def winches_are_possible(model: Model) -> Iterator[Problem]:

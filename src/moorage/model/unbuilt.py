@@ -22,13 +22,19 @@ def unbuilt(model: Model) -> list[Problem]:
     return [problem for feature in UNBUILT for problem in feature(model)]
 
 
-def _joint_damping(model: Model) -> Iterator[Problem]:
+def _rod_damping(model: Model) -> Iterator[Problem]:
     joints = {rod.id for rod in model.rods if is_joint(rod) and rod.kind == "free"}
+    carried = {rod.id for rod in model.rods if rod.body is not None and rod.kind == "fixed"}
     for load in model.external_loads:
         damped = any((*load.linear_damping, *load.quadratic_damping))
-        if load.target == "rod" and load.target_id in joints and load.local and damped:
+        if load.target != "rod" or not load.local or not damped:
+            continue
+        if load.target_id in joints:
             message = f"external load {load.id}: damping along a rod of no length is not simulated yet"
             yield Problem(message, "give it in global axes", load.source)
+        elif load.target_id in carried:
+            message = f"external load {load.id}: damping along a rod that is fixed to a body is not simulated yet"
+            yield Problem(message, "give the body a damping in its own axes", load.source)
 
 
 def _viscoelastic(model: Model) -> Iterator[Problem]:
@@ -92,7 +98,7 @@ def _winches(model: Model) -> Iterator[Problem]:
 
 
 UNBUILT: tuple[Callable[[Model], Iterator[Problem]], ...] = (
-    _joint_damping,
+    _rod_damping,
     _viscoelastic,
     _bending_damping,
     _syrope,

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from moorage.moordyn.codes import BODY_TYPES
-from moorage.moordyn.handles import Body, Vector, live, raising, to_tuple
+from moorage.moordyn.handles import Body, Vector, of, raising, to_tuple
 from moorage.solve.masses import body_mass
 
 
@@ -53,7 +53,7 @@ def GetBodyAngVel(instance: Body) -> Vector:
 @raising
 def GetBodyForce(instance: Body) -> tuple[float, ...]:
     """Return force and moment about its origin of a body and of what it carries, N and N m, without inertia."""
-    system, k = live(instance.system), instance.place
+    system, k = of(Body, instance), instance.place
     total, origin = system.block["body_force"][k].copy(), system.block["body_position"][k]
     for holder in system.built.bodies.holders[k]:
         force = system.own_load(int(holder))
@@ -64,14 +64,14 @@ def GetBodyForce(instance: Body) -> tuple[float, ...]:
 @raising
 def GetBodyM(instance: Body) -> tuple[tuple[float, ...], ...]:
     """Return the mass matrix (6, 6) about its origin in global axes, with added mass and the points and rods on it."""
-    system = live(instance.system)
+    system = of(Body, instance)
     return to_tuple(body_mass(system.built, system.masses, system.block, instance.place, system.time))  # type: ignore[return-value]
 
 
 def _body(instance: Body):
-    return live(instance.system).model.bodies[instance.place]
+    return of(Body, instance).model.bodies[instance.place]
 
 
 def _motion(instance: Body) -> tuple[np.ndarray, np.ndarray]:
     """Position with angles, and velocity with that of rotation, (6,) each."""
-    return live(instance.system).body_motion(instance.place)
+    return of(Body, instance).body_motion(instance.place)

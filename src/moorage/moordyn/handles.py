@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import functools
 from collections.abc import Callable, Sequence
+from operator import index
 from typing import NamedTuple, TypeVar
 
 import numpy as np
@@ -77,9 +78,16 @@ def live(system: System) -> System:
     return system
 
 
+def of(kind: type[Line | Point | Rod | Body], handle: object) -> System:
+    """Return the system of a handle, if that is of a kind."""
+    if not isinstance(handle, kind):
+        raise TypeError(f"a {kind.__name__.lower()} is wanted, not {type(handle).__name__}")
+    return live(handle.system)
+
+
 def pick(kind: type, system: System, number: int, things: Sequence):
     """Return the handle of an object, whose numbers start at 1."""
-    if not 1 <= number <= len(things):
+    if not 1 <= index(number) <= len(things):
         raise RuntimeError(f"there is no {kind.__name__.lower()} {number}: there are {len(things)}")
     return kind(live(system), number - 1)
 

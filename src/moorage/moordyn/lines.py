@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from moorage.model import Curve
-from moorage.moordyn.handles import Line, Vector, live, node_index, raising, to_tuple
+from moorage.moordyn.handles import Line, Vector, node_index, of, raising, to_tuple
 
 
 def GetLineID(instance: Line) -> int:
@@ -41,7 +41,7 @@ def SetLineUnstretchedLengthVel(instance: Line, v: float) -> None:
     """Let the unstretched length grow by v (m/s) from now on."""
     if not np.isfinite(v):
         raise RuntimeError(f"SetLineUnstretchedLengthVel: {v} is no speed")
-    live(instance.system).pay_out.pop(instance.place, None)
+    of(Line, instance).pay_out.pop(instance.place, None)
     if v:
         instance.system.pay_out[instance.place] = float(v)
 
@@ -158,23 +158,23 @@ def GetLineMaxTen(instance: Line) -> float:
 
 
 def _line(instance: Line):
-    return live(instance.system).model.lines[instance.place]
+    return of(Line, instance).model.lines[instance.place]
 
 
 def _stiffness(instance: Line) -> list[float | Curve]:
-    types = live(instance.system).model.line_type
+    types = of(Line, instance).model.line_type
     return [types(section.line_type).axial_stiffness for section in _line(instance).sections]
 
 
 def _row(instance: Line, i: int) -> int:
-    return int(instance.system.built.names.node_ptr[instance.place]) + node_index(
+    return int(of(Line, instance).built.names.node_ptr[instance.place]) + node_index(
         i, GetLineNumberNodes(instance), f"line {GetLineID(instance)}"
     )
 
 
 def _pulls(instance: Line) -> np.ndarray:
     """Return the mean pulls at the nodes of a line, (nodes, 3), N."""
-    names, block = live(instance.system).built.names, instance.system.block
+    names, block = of(Line, instance).built.names, instance.system.block
     a, b = names.node_ptr[instance.place : instance.place + 2]
     r = block["node_position"][a:b]
     e = np.diff(r, axis=0)

@@ -11,8 +11,9 @@ import numpy as np
 from moorage.errors import ConvergenceError, MoorageError, SimulationError
 from moorage.moordyn import codes
 from moorage.moordyn.changes import option
-from moorage.moordyn.handles import Body, Line, Point, Rod, dof_vector, live, pick, raising, to_tuple
+from moorage.moordyn.handles import Body, Line, Point, Rod, dof_vector, live, of, pick, raising, to_tuple
 from moorage.moordyn.log import HEADS
+from moorage.moordyn.points import GetPointNAttached
 from moorage.moordyn.states import load_initial
 from moorage.moordyn.system import System
 from moorage.solve.coupling import coupled_objects
@@ -195,13 +196,15 @@ def GetFASTtens(instance: System, n_lines: int) -> tuple[list[float], list[float
 def BreakLine(instance: System, point: Point, line: Line) -> None:
     """Take a line off a point; its end holds on to a new free point that is like the old one."""
     system = live(instance)
-    id = system.model.points[point.place].id
-    thing = system.model.lines[line.place]
+    old, thing = of(Point, point).model.points[point.place], of(Line, line).model.lines[line.place]
+    id = old.id
     end = next((e for e in (thing.end_a, thing.end_b) if e.kind == "point" and e.id == id), None)
     if end is None:
         raise RuntimeError(f"line {thing.id} does not hold on to point {id}")
     if not system.started:
         raise RuntimeError("BreakLine before Init: call Init first")
+    if old.kind == "free" and not old.mass > 0.0 and GetPointNAttached(point) == 1:
+        raise RuntimeError(f"BreakLine: point {id} would be left with neither lines nor mass")
     system.break_off(end, (line.place,))
 
 
@@ -220,12 +223,13 @@ def SetDt(instance: System, dt: float) -> None:
 
 
 def wave_rate(system: System) -> float:
-    """Return the largest rate, 1/s, at which an elastic wave crosses a segment."""
+    """Return the largest rate, 1/s, at which an elastic wave crosses a segment of a line; 0 without lines."""
     built = system.built
-    m = built.system.morison.mass
-    first = np.concatenate([np.arange(a, b - 1) for a, b in pairwise(built.names.node_ptr)])
+    m, nodes = built.system.morison.mass, pairwise(built.names.node_ptr.tolist())
+    first = np.array([i for a, b in nodes for i in range(a, b - 1)], dtype=np.int64)
     mass = np.minimum(m[first], m[first + 1])
-    return float(np.sqrt(built.system.tension.spring / np.maximum(mass, 1e-300)).max(initial=0.0))
+    spring = built.system.tension.spring[: len(first)]  # the segments of rods follow
+    return float(np.sqrt(spring / np.maximum(mass, 1e-300)).max(initial=0.0))
 
 
 def GetCFL(instance: System) -> float:
@@ -233,9 +237,13 @@ def GetCFL(instance: System) -> float:
     return GetDt(instance) * wave_rate(live(instance))
 
 
+@raising
 def SetCFL(instance: System, cfl: float) -> None:
     """Limit the internal step by such a number."""
-    SetDt(instance, cfl / wave_rate(live(instance)))
+    rate = wave_rate(live(instance))
+    if not rate:
+        raise RuntimeError("SetCFL: there are no lines that waves could cross; use SetDt")
+    SetDt(instance, cfl / rate)
 
 
 def GetTimeScheme(instance: System) -> str:

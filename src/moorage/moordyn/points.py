@@ -6,7 +6,7 @@ import numpy as np
 
 from moorage.layout import Weights
 from moorage.moordyn.codes import POINT_TYPE_FIXED, POINT_TYPES
-from moorage.moordyn.handles import Line, Point, Vector, live, raising, to_tuple
+from moorage.moordyn.handles import Line, Point, Vector, of, raising, to_tuple
 from moorage.solve.stiffness import condense_point
 
 
@@ -34,14 +34,14 @@ def GetPointVel(instance: Point) -> Vector:
 @raising
 def GetPointForce(instance: Point) -> Vector:
     """Return the force of its lines on a point, with its weight, buoyancy and drag; without inertia, N."""
-    load = instance.system.block["end_load"]
+    load = of(Point, instance).block["end_load"]
     lines = sum((load[line, end] for line, end in _attached(instance)), np.zeros(3))
     return to_tuple(lines + instance.system.own_load(instance.place))
 
 
 def GetPointM(instance: Point) -> tuple[Vector, Vector, Vector]:
     """Return the mass matrix with added mass and those of the ends of its lines, kg."""
-    system, built = live(instance.system), instance.system.built
+    system, built = of(Point, instance), instance.system.built
     row = int(built.system.lines.node_ptr[-1]) + instance.place
     a, b, c, d, e, f = condense_point(built.system, built.state, row, instance.place, Weights(1.0, 0.0, 0.0))
     M = np.array([[a, b, c], [b, d, e], [c, e, f]])
@@ -65,13 +65,13 @@ def GetPointAttached(instance: Point, i: int) -> tuple[Line, int]:
 
 
 def _point(instance: Point):
-    return live(instance.system).model.points[instance.place]
+    return of(Point, instance).model.points[instance.place]
 
 
 def _motion(instance: Point) -> tuple[np.ndarray, np.ndarray]:
-    return live(instance.system).point_motion(instance.place)
+    return of(Point, instance).point_motion(instance.place)
 
 
 def _attached(instance: Point) -> list[tuple[int, int]]:
-    lines = live(instance.system).built.system.lines
+    lines = of(Point, instance).built.system.lines
     return [(int(k), int(end)) for k, end in np.argwhere(lines.end_point == instance.place)]

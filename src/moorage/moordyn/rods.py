@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from moorage.moordyn.codes import ROD_TYPE_FIXED, ROD_TYPES
-from moorage.moordyn.handles import Rod, Vector, live, node_index, raising, to_tuple
+from moorage.moordyn.handles import Rod, Vector, node_index, of, raising, to_tuple
 from moorage.solve.masses import rod_mass
 
 
@@ -23,13 +23,13 @@ def GetRodType(instance: Rod) -> int:
 @raising
 def GetRodForce(instance: Rod) -> tuple[float, ...]:
     """Return force and moment about its end A of a rod and the lines on it, N and N m, without inertia."""
-    return to_tuple(live(instance.system).block["rod_force"][instance.place])
+    return to_tuple(of(Rod, instance).block["rod_force"][instance.place])
 
 
 @raising
 def GetRodM(instance: Rod) -> tuple[tuple[float, ...], ...]:
     """Return the mass matrix (6, 6) about end A in global axes, with added mass."""
-    system = live(instance.system)
+    system = of(Rod, instance)
     return to_tuple(rod_mass(system.built, system.masses, system.block, instance.place, system.time))  # type: ignore[return-value]
 
 
@@ -56,12 +56,12 @@ def GetRodNodeVel(instance: Rod, i: int) -> Vector:
 
 
 def _rod(instance: Rod):
-    return live(instance.system).model.rods[instance.place]
+    return of(Rod, instance).model.rods[instance.place]
 
 
 def _between(instance: Rod, i: int, which: int) -> np.ndarray:
     """Position (0) or velocity (1) of a node between the ends of a rod, (3,)."""
     node_index(i, GetRodNumberNodes(instance), f"rod {GetRodID(instance)}")
     share = i / max(GetRodN(instance), 1)
-    a, b = live(instance.system).rod_motion(instance.place)[which]
+    a, b = of(Rod, instance).rod_motion(instance.place)[which]
     return (1.0 - share) * a + share * b

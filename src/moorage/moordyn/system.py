@@ -61,6 +61,10 @@ class System:
         self.model = placed(without_host_parts(model))
         for warning in caught:
             self.log.say(LEVEL_WRN, str(warning.message))
+        if model.controls:
+            channels = ", ".join(str(control.channel) for control in model.controls)
+            what = f"control channels are not used here ({channels}): hosts set lengths with SetLineUnstretchedLength"
+            self.log.say(LEVEL_WRN, f"{model.controls[0].source or path}: {what}")
         self.step_max: float | None = None
         self.scheme = option(self.model, "tScheme", "implicit")
         self.pay_out: dict[int, float] = {}  # line: rate of its unstretched length, m/s
@@ -271,8 +275,9 @@ class System:
         """Let lines come off whose failure has come: at a time, or at a tension of the line at that end."""
         before = len(self.failures)
         for failure in list(self.failures):
-            places = tuple(k for k, line in enumerate(self.model.lines) if line.id in failure.lines)
-            if self._fails(failure, places):
+            lines = enumerate(self.model.lines)  # those that it finds there still
+            places = tuple(k for k, x in lines if x.id in failure.lines and failure.attachment in (x.end_a, x.end_b))
+            if places and self._fails(failure, places):
                 self.failures.remove(failure)
                 self.break_off(failure.attachment, places)
         return len(self.failures) < before

@@ -51,8 +51,10 @@ def ExternalWaveKinSet(instance: System, u, a, t: float) -> int:
     nodes = len(rows)
     for name, given in (("velocities", u), ("accelerations", a)):
         array = np.array(given, dtype=float)
-        if array.shape != (nodes, 3) or not np.isfinite(array).all():
-            raise RuntimeError(f"ExternalWaveKinSet: {name} must be {nodes} x 3 finite numbers")
+        if array.shape != (nodes, 3):
+            raise ValueError(f"ExternalWaveKinSet: {name} must be {nodes} x 3 numbers, not of shape {array.shape}")
+        if not np.isfinite(array).all():
+            raise RuntimeError(f"ExternalWaveKinSet: NaN or inf among the {name}")
         values.append(array)
     known = rows >= 0
     system.set_water(*_with_ends(system.built, rows[known], np.hstack(values)[known]))

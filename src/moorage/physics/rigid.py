@@ -31,8 +31,9 @@ from moorage._vec3 import (
 )
 from moorage.physics.point import damping_terms, wet_fraction
 
-MASS, WEIGHT, BUOYANCY, DISPLACED, RADIUS, SLENDER, SIZE, FORCE_TURNS, DAMPING_TURNS = range(9)
-CENTRE, BUOYANT, ADDED, DRAG, FORCE, LINEAR, QUADRATIC, INERTIA, COLUMNS = 9, 12, 15, 18, 24, 27, 30, 33, 42
+MASS, WEIGHT, BUOYANCY, DISPLACED, RADIUS, SLENDER, SIZE = range(7)
+CENTRE, BUOYANT, ADDED, DRAG, INERTIA, FORCE, LINEAR, QUADRATIC = 7, 10, 13, 16, 22, 31, 34, 37
+OWN_FORCE, OWN_LINEAR, OWN_QUADRATIC, COLUMNS = 40, 43, 46, 49
 
 
 class RigidLoads(NamedTuple):
@@ -42,7 +43,7 @@ class RigidLoads(NamedTuple):
     inertia, kg m2; WEIGHT, upwards, -g m, N; wet BUOYANCY, N, at BUOYANT (3), m; mass of DISPLACED water, kg; RADIUS of
     the sphere of equal volume, m; ADDED mass (3), kg; DRAG (6), 0.5 rho CdA, N s2/m2 and N m s2; SLENDER, 1: a rod
     along its first axis, which has no spin; SIZE, the length that makes a distance of an angle, m; given FORCE (3), N,
-    and LINEAR (3), N s/m, and QUADRATIC (3), N s2/m2, damping; FORCE_TURNS, DAMPING_TURNS, 1: with the object.
+    and LINEAR (3), N s/m, and QUADRATIC (3), N s2/m2, damping in global axes, and the same in its OWN.
     """
 
     table: np.ndarray  # (objects, COLUMNS)
@@ -244,15 +245,12 @@ def mass_load(p, o, R, A, omega, alpha):
 
 @inlined
 def given_load(p, o, R, V, c):
-    """Given force and damping on an object (global axes), and the block of the damping."""
-    force = triple(p, o, FORCE)
-    if p.table[o, FORCE_TURNS] > 0.0:
-        force = mat_times(R, force)
-    turns = p.table[o, DAMPING_TURNS] > 0.0
-    damping, d = damping_terms(triple(p, o, LINEAR), triple(p, o, QUADRATIC), mat_t_times(R, V) if turns else V, c)
-    if turns:
-        return add(force, mat_times(R, damping)), diagonal_turned(R, d)
-    return add(force, damping), (d[0], 0.0, 0.0, d[1], 0.0, d[2])
+    """Given forces and damping on an object (global axes), and the block of the damping."""
+    fixed, d = damping_terms(triple(p, o, LINEAR), triple(p, o, QUADRATIC), V, c)
+    own, turned = damping_terms(triple(p, o, OWN_LINEAR), triple(p, o, OWN_QUADRATIC), mat_t_times(R, V), c)
+    force = add(add(triple(p, o, FORCE), fixed), mat_times(R, add(triple(p, o, OWN_FORCE), own)))
+    a, b, e, f, g, h = diagonal_turned(R, turned)
+    return force, (a + d[0], b, e, f + d[1], g, h + d[2])
 
 
 @inlined

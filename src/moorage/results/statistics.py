@@ -88,7 +88,7 @@ def static_report(ds: xr.Dataset) -> dict[str, object]:
             for k, id in enumerate(ds["point"].values)
         ],
         **({"turbines": _turbines(ds)} if "turbine_force" in ds else {}),
-        "stiffness": ds["stiffness"].values.tolist(),
+        "stiffness": plain(ds["stiffness"].values),
         "residual": float(ds["residual"]),
         "iterations": int(ds["iterations"]),
     }

@@ -21,7 +21,7 @@ from moorage.solve.record import FORCE_A, Record, new_record
 from moorage.solve.reeling import length_columns, paid_by
 from moorage.solve.statics import rest, solve
 from moorage.system.build import Built, Releases, with_motion
-from moorage.system.winches import Reeled
+from moorage.system.winches import Reeled, refuse_haste
 
 
 def turned_directions(built: Built) -> np.ndarray:
@@ -139,6 +139,8 @@ class HostMarch:
         self._set_tracks(self.time, time, position, velocity)
         try:
             if len(self.paid):
+                rates = (self.paid_next[:, 0] - self.paid[:, 0]) / (time - self.time)
+                refuse_haste(self.built.winches, rates.tolist(), self.time)
                 self._cut_until(time)
             forces = self._forces(time)
         except MoorageError:

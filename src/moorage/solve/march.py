@@ -65,7 +65,7 @@ class March:
         _must_have_nodes(built, settings.watch)
         self.settings, self.duration, self._water = settings, float(duration), water
         self._releases = releases
-        self._released: frozenset[int] = frozenset()
+        self._released: tuple[int, ...] = ()
         if built.reeled is not None and settings.tolerance is None:  # lines are cut anew, the tolerance stays
             self.settings = settings._replace(tolerance=default_tolerance(built))
         self._counted = np.zeros(3, dtype=np.int64)  # by the systems before
@@ -118,7 +118,7 @@ class March:
     def _take_over(self, failures: set[int], reeled: Reeled | None) -> None:
         """Go on with a system in which more line ends have come off, or lines are cut in another way."""
         assert self._releases is not None
-        self._released |= failures
+        self._released += tuple(sorted(failures))
         if reeled is not None:
             off = set().union(*(self._releases.ends[k] for k in failures))
             reeled = paid_until(self.built.winches, paid_by(self.built), reeled, self.time)
@@ -215,14 +215,14 @@ class March:
         saved["leftover"] = self.control.leftover.copy()  # made from the state at time 0
         saved["counted"] = self._counted.copy()
         saved["march"] = np.array([self.time, self._rows, self._node_rows])
-        saved["released"] = np.array(sorted(self._released), dtype=np.int64)
+        saved["released"] = np.array(self._released, dtype=np.int64)
         if self.built.reeled is not None:
             saved |= {f"reeled_{name}": np.array(values) for name, values in self.built.reeled._asdict().items()}
         return saved
 
     def restore(self, saved: Block) -> None:
         """Go back to a checkpoint."""
-        released, reeled = frozenset(saved["released"].tolist()), None
+        released, reeled = tuple(saved["released"].tolist()), None
         if "reeled_segments" in saved:
             reeled = Reeled(*(tuple(saved[f"reeled_{name}"].tolist()) for name in Reeled._fields))
         if (released, reeled) != (self._released, self.built.reeled):
@@ -423,7 +423,7 @@ class March:
 
 def _must_have_nodes(built: Built, watch: tuple[tuple[int, int], ...]) -> None:
     """Refuse to watch nodes that are not there: kernels do not look whether they are."""
-    nodes = np.diff(built.system.lines.node_ptr)
+    nodes = np.diff(built.system.lines.node_ptr)  # those of rods follow
     for w, count in zip(built.winches, built.reeled.segments if built.reeled else (), strict=True):
         nodes[w.line] += len(w.lengths) - count  # as described
     for line, node in watch:

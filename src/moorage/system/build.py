@@ -86,7 +86,7 @@ class Releases(NamedTuple):
 
     times: dict[int, float]  # failure: the time (s) at which it comes, of those that do
     ends: dict[int, set[tuple[int, int]]]  # failure: line ends (line; 0: A, 1: B) that come off
-    rebuild: Callable[[frozenset[int], Reeled | None], Built]  # the system with failures behind it, and lines as cut
+    rebuild: Callable[[tuple[int, ...], Reeled | None], Built]  # the system with failures behind it, and lines as cut
     most: Reeled | None = None  # how lines are cut in results, which have rows of one number
 
 
@@ -113,13 +113,13 @@ def build(
     model: Model,
     motion: Motion | None = None,
     duration: float | None = None,
-    released: frozenset[int] = frozenset(),
+    released: tuple[int, ...] = (),
     reeled: Reeled | None = None,
 ) -> Built:
     """Turn a checked model into arrays, with lines on their first catenary.
 
-    `released` holds the failures that have come (places in `model.failures`), `reeled` how the lines on winches are
-    cut; by default as at time 0.
+    `released` holds the failures that have come (places in `model.failures`, in the order in which they came), `reeled`
+    how the lines on winches are cut; by default as at time 0.
 
     Raises
     ------
@@ -318,7 +318,7 @@ def releases_of(model: Model, motion: Motion | None = None, duration: float | No
     return Releases(times, ends, lambda released, reeled: build(model, motion, duration, released, reeled), most)
 
 
-def _breaks(model: Model, released: frozenset[int]) -> Breaks:
+def _breaks(model: Model, released: tuple[int, ...]) -> Breaks:
     """Return the line ends that come off at a force."""
     rows = []
     for k, failure in enumerate(model.failures):
@@ -375,7 +375,7 @@ def _tension(l, segments) -> Tension:
 
 
 def _points(model: Model, holders: Holders) -> PointLoads:
-    """Loads of the points by themselves; of the holders after them, only joints have given loads."""
+    """Loads of the points by themselves; given ones also of joints, and at ends A of rods that are fixed to bodies."""
     env, count = model.environment, len(holders.rest)
 
     def column(values):
@@ -388,7 +388,11 @@ def _points(model: Model, holders: Holders) -> PointLoads:
     given = np.zeros((count, 3, 3))
     given[: len(model.points), 0] = np.array([p.external_force for p in model.points], dtype=float).reshape(-1, 3)
     place = {("point", point.id): k for k, point in enumerate(model.points)}
-    place |= {("rod", rod.id): holders.number[Attachment("rod", rod.id, "A")] for rod in model.rods if is_joint(rod)}
+    place |= {
+        ("rod", rod.id): holders.number[Attachment("rod", rod.id, "A")]
+        for rod in model.rods
+        if is_joint(rod) or (rod.body is not None and rod.kind == "fixed")
+    }
     for load in model.external_loads:
         if (at := place.get((load.target, load.target_id))) is not None:
             given[at] += [

@@ -41,12 +41,14 @@ def released_end(k: int) -> Attachment:
     return Attachment("point", -1 - k)
 
 
-def release(model: Model, released: frozenset[int]) -> Model:
-    """Return the model with the lines of some failures (by their places) tied to points of their own."""
+def release(model: Model, released: tuple[int, ...]) -> Model:
+    """Return the model with the lines of some failures (their places, as they came) tied to points of their own.
+
+    What has come off already is left where it is.
+    """
     lines = list(model.lines)
-    for k, failure in enumerate(model.failures):
-        if k not in released:
-            continue
+    for k in released:
+        failure = model.failures[k]
         for i, line in enumerate(lines):
             if line.id in failure.lines:
                 ends = {
@@ -56,9 +58,7 @@ def release(model: Model, released: frozenset[int]) -> Model:
     return dataclasses.replace(model, lines=tuple(lines))
 
 
-def holders_of(
-    model: Model, motion: Motion | None, duration: float | None, released: frozenset[int] = frozenset()
-) -> Holders:
+def holders_of(model: Model, motion: Motion | None, duration: float | None, released: tuple[int, ...] = ()) -> Holders:
     """List the holders of a model, with their motion."""
     bodies = motion.resolve_bodies(model) if motion else {}
     points = motion.resolve(model, duration) if motion else {}
@@ -146,10 +146,11 @@ def holders_of(
             x, R = bodies.get(body.id, (None, None))
             places[body.id] = add(np.array(body.position), False, body.kind == "coupled", x)
             axes[body.id] = _turn(body) if R is None else R
+    taken = {tie for line in release(model, released).lines for tie in (line.end_a, line.end_b)}
     for k, failure in enumerate(model.failures):
         # a free point that the lines of a failure take along; until then it stays where they are tied
         at = number.get(failure.attachment, 0)
-        number[released_end(k)] = add(np.array(rest[at]), k in released, False, None)
+        number[released_end(k)] = add(np.array(rest[at]), released_end(k) in taken, False, None)
     count = len(rest)
     of_point, arm = np.full(count, -1, dtype=np.int64), np.zeros((count, 3))
     for holder, (o, at) in riding.items():

@@ -127,7 +127,7 @@ def build_rigid(model: Model, things: list[Rod | Body], reach: np.ndarray) -> ri
     for o, thing in enumerate(things):
         if isinstance(thing, Rod) and not thing.segments:
             p[o, rigid.SLENDER], turn, p[o, rigid.SIZE] = 1.0, *joint_inertia(model, thing)
-            p[o, rigid.INERTIA :] = np.diag([0.0, turn, turn]).ravel()
+            p[o, rigid.INERTIA : rigid.INERTIA + 9] = np.diag([0.0, turn, turn]).ravel()
             continue
         inertia = lent_inertia(model, thing)
         if isinstance(thing, Rod):
@@ -139,18 +139,21 @@ def build_rigid(model: Model, things: list[Rod | Body], reach: np.ndarray) -> ri
             for rod in model.rods:
                 if rod.body == thing.id and rod.segments and rod.kind != "pinned":
                     inertia += beyond_nodes(model, rod, np.array(rod.direction))
-        p[o, rigid.INERTIA :] = inertia.ravel()
+        p[o, rigid.INERTIA : rigid.INERTIA + 9] = inertia.ravel()
         turns = max(np.trace(inertia), 0.0)  # of a rod's nodes there is more beside
         gyration = np.sqrt(turns / (2.0 * thing.mass)) if isinstance(thing, Body) and thing.mass else 0.0
         p[o, rigid.SIZE] = max(reach[o], gyration, 1e-2)
         for load in model.external_loads:
             if load.target == ("rod" if isinstance(thing, Rod) else "body") and load.target_id == thing.id:
+                slender = isinstance(thing, Rod)
                 # only damping of a rod is in its own axes: they begin with that along it, the last one in the file
-                order = [2, 0, 1] if isinstance(thing, Rod) and load.local else [0, 1, 2]
-                p[o, rigid.FORCE : rigid.FORCE + 3] += load.force
-                p[o, rigid.FORCE_TURNS], p[o, rigid.DAMPING_TURNS] = load.local and isinstance(thing, Body), load.local
-                p[o, rigid.LINEAR : rigid.LINEAR + 3] += three(load.linear_damping)[order]
-                p[o, rigid.QUADRATIC : rigid.QUADRATIC + 3] += three(load.quadratic_damping)[order]
+                order = [2, 0, 1] if slender and load.local else [0, 1, 2]
+                force = rigid.OWN_FORCE if load.local and not slender else rigid.FORCE
+                linear = rigid.OWN_LINEAR if load.local else rigid.LINEAR
+                quadratic = rigid.OWN_QUADRATIC if load.local else rigid.QUADRATIC
+                p[o, force : force + 3] += load.force
+                p[o, linear : linear + 3] += three(load.linear_damping)[order]
+                p[o, quadratic : quadratic + 3] += three(load.quadratic_damping)[order]
     return rigid.RigidLoads(p)
 
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -150,14 +151,14 @@ def longest_cut(winches: tuple[Winch, ...], paid: list[Paid], duration: float) -
         time, now = next_cut(winches, paid, now, time, duration)
         if time == math.inf:
             return now._replace(segments=tuple(most))
-        _refuse_haste(winches, paid, time)
+        refuse_haste(winches, [p.at(time)[1] for p in paid], time)
         most = [max(pair) for pair in zip(most, now.segments, strict=True)]
 
 
-def _refuse_haste(winches: tuple[Winch, ...], paid: list[Paid], time: float) -> None:
-    """Refuse a winch whose segments pass so fast that a run would only cut lines."""
+def refuse_haste(winches: tuple[Winch, ...], rates: Sequence[float], time: float) -> None:
+    """Refuse a winch whose segments pass so fast that a run would only cut lines; rates: of the controls, m/s."""
     for w in winches:
-        rate, segment = abs(paid[w.control].at(time)[1]), w.nominal(len(w.lengths) - 1)
+        rate, segment = abs(rates[w.control]), w.nominal(len(w.lengths) - 1)
         if rate * FASTEST > segment:
             message = f"{w.what}: a rate of {rate:.4g} m/s at {time:.4g} s makes a segment every {segment / rate:.2g} s"
             remedy = f"wind slower, or take segments that last {FASTEST:g} s"
