@@ -377,7 +377,7 @@ def warmup() -> None:
 def announce_compiling() -> None:
     """Say why the first run takes long."""
     if moorage.is_cold():
-        console.say("compiling the kernels for this machine, once (about three minutes) ...")
+        console.say("compiling the kernels for this machine, once (about two minutes) ...")
 
 
 def show_run(ds: xr.Dataset) -> None:

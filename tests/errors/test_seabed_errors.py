@@ -42,6 +42,10 @@ CASES = {
         r"model.yaml:12: anchor \(fixed point 1\) is outside the depth grid \(x -1000 to 0 m, y -100 to 100 m\)",
     ),
     "negative friction": (("axial: 0.5", "axial: -0.5"), "model.yaml:4: axial of seabed friction must not be negative"),
+    "negative damping": (
+        ("axial: 0.5", "axial: 0.5, shear_damping: -1"),
+        "shear damping of seabed friction must not be negative",
+    ),
     "static below kinetic": (
         ("static_ratio: 1.1", "static_ratio: 0.9"),
         "model.yaml:4: static friction is below kinetic",

@@ -565,6 +565,19 @@ def test_friction_of_velocity_takes_energy_and_its_block_is_its_derivative(name,
 
 
 @FEW
+@given(SLOW, st.floats(0.1, 3.0))
+def test_slow_saturated_damping_is_the_law_itself(w, tilt):
+    """Below the limits, the short way gives the force and block that the sum of both parts does."""
+    p, N, t = rubbing("saturated"), 800.0, (0.6, 0.8, tilt)
+    w = tuple(0.18 * np.array([w[0], w[1], 0.0]))  # 0.08 m/s is the limit
+    short = friction_terms(p, np.uintp(0), N, UP, t, (0.0, 0.0, 0.0), w, (0.0, 0.0, 0.0), DAMPING)
+    force, block = law.sliding(p, (0.4, 0.7), N, UP, ALONG, w, DAMPING)
+    np.testing.assert_allclose(short[0], force, rtol=1e-6, atol=1e-9)  # the law itself divides by the speed plus 1e-12
+    if np.hypot(*w[:2]) > 1e-4:
+        np.testing.assert_allclose(short[1], block, rtol=1e-4, atol=1e-2)
+
+
+@FEW
 @given(SLOW)
 def test_block_of_unequal_coefficients_has_the_diagonal_of_the_derivative(d):
     """Along the line and across it, and the determinant: zero where it slips."""

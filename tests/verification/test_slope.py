@@ -12,10 +12,10 @@ while mu < tan(10 deg) = 0.176. It is put at its depth, w cos / (k d) along the 
 starts at rest; once it slips, its speed must grow at the rate of a within 2e-4, by every law.
 
 Above that it sticks. Let the friction's spring give D = w sin / (k_s d) under the line's weight, and r = mu / tan.
-Without damping ("elastic-slip") the line falls into the spring with the energy x - x^2 / 2 (in D w sin), slips from
+Without damping ("elastic-slip" with `shear_damping` 0) the line falls into the spring with the energy x - x^2 / 2 (in D w sin), slips from
 x = r on, and stops at r + (r - r^2 / 2) / (r - 1); then it swings by r - 1 about the place r - 1 above, for ever but
-for the loss of the scheme, which needs a step of 5 ms to tell this so closely. "stick-slip" damps the spring and comes
-to rest before 2 D. The law of MoorDyn, a damper, creeps for ever. (MoorDyn-C's contact is vertical and lets a
+for the loss of the scheme, which needs a step of 5 ms to tell this so closely. "stick-slip" damps the spring and comes to
+rest before 2 D. The law of MoorDyn, a damper, creeps for ever. (MoorDyn-C's contact is vertical and lets a
 frictionless line stay put.)
 """
 
@@ -94,7 +94,29 @@ def test_line_slides_against_friction(direction, mu, law):
 @pytest.mark.parametrize("direction", ["along", "across"])
 @pytest.mark.parametrize("law", ["elastic-slip", "stick-slip"])
 def test_line_sticks(direction, law):
-    check_sticks(direction, Friction(axial=0.2, transverse=0.2, model=law))
+    check_sticks(direction, Friction(axial=0.2, transverse=0.2, model=law, shear_damping=0.0))
+
+
+@pytest.mark.parametrize("direction", ["along", "across"])
+def test_damped_spring_of_elastic_slip_comes_to_rest(direction):
+    """With its default damping: where a mass on a spring and a damper stops that slip together, integrated here."""
+    _, speed, way = sliding(direction, Friction(axial=0.2, transverse=0.2), 20.0, 0.005)
+    assert way == pytest.approx(way_of_slider(0.3), rel=3e-3)  # measured: 1.1e-3, of second order in the step
+    assert way != pytest.approx(way_of_slider(0.29), rel=3e-3)
+    assert abs(speed[-1]) < 1e-9
+
+
+def way_of_slider(zeta: float, dt: float = 2e-5) -> float:
+    """Return how far a metre of the line comes on friction of 0.2 whose spring has a damping ratio, m."""
+    k, mass, pull = STIFFNESS * 0.1, 40.0 + 0.3 * DISPLACED, GRAVITY * (40.0 - DISPLACED) * np.sin(SLOPE)
+    c, limit = 2.0 * zeta * np.sqrt(k * 40.0), 0.2 * pull / np.tan(SLOPE)
+    x = v = d = 0.0
+    for _ in range(round(3.0 / dt)):
+        if k * d + c * v > limit:
+            d = (limit - c * v) / k
+        v += dt * (pull - k * d - c * v) / mass
+        x, d = x + dt * v, d + dt * v
+    return x
 
 
 def test_wrong_variants_fail():

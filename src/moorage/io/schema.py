@@ -95,6 +95,7 @@ SCHEMA: dict[str, dict[str, Key]] = {
         ),
         "damping": Key("number", "N s/m", "slope of saturated damping's ramp, for a node and a coefficient of 1"),
         "shear_stiffness": Key("number", "Pa/m", "of the spring that holds a node that sticks, on d l"),
+        "shear_damping": Key("number", "-", "of that spring in elastic-slip, over the critical one"),
         "velocity": Key("number", "m/s", "at which stick-slip falls, and velocity-dependent friction sticks"),
         "laid": Key("flag", "-", "statics as laid slack from end A and pulled to place; false: without friction"),
         "map": Key("friction map", "-", "coefficients over x and y, in place of axial and transverse"),

@@ -56,9 +56,9 @@ def friction_is_possible(model: Model) -> Iterator[Problem]:
     friction = model.environment.friction
     if friction is None:
         return
-    for name in ("transverse", "axial"):
+    for name in ("transverse", "axial", "shear_damping"):
         if getattr(friction, name) < 0.0:
-            message = f"{name} of seabed friction must not be negative"
+            message = f"{name.replace('_', ' ')} of seabed friction must not be negative"
             yield Problem(message, "correct the value", friction.source, getattr(friction, name))
     for name in ("damping", "shear_stiffness", "velocity"):
         value = getattr(friction, name)

@@ -119,6 +119,9 @@ class Friction:
     shear_stiffness : float or None
         Of the spring that holds a node that sticks, Pa/m on d l; by default that of the seabed's normal stiffness, so
         that a line slips after mu times the depth to which it sinks in.
+    shear_damping : float
+        Of that spring in elastic-slip, over the critical damping of a node's mass on it, -. Without, nodes that stick
+        go on ringing.
     laid : bool
         Whether statics know friction: the line was laid without tension from end A along the bed, and then pulled to
         its place, so that tension falls from the touchdown towards the anchor. Otherwise statics are without friction.
@@ -140,6 +143,7 @@ class Friction:
     )
     damping: float = 200.0
     shear_stiffness: float | None = None
+    shear_damping: float = 0.3
     velocity: float = 0.01
     laid: bool = False
     map: FrictionMap | None = None
@@ -170,7 +174,8 @@ class Soil:
     strength_gradient : float
         Its growth with depth, Pa/m.
     bearing_factor, bearing_exponent : float
-        a and b of the bearing capacity N_c = a (z / D)^b of a line of diameter D at the penetration z.
+        a and b of the bearing capacity N_c = a (z / D)^b of a line of diameter D at the penetration z; where that is
+        less than D / 10, N_c is that of D / 10 times sqrt(10 z / D).
     maximum_stiffness : float
         k_max: every turn of the motion meets the stiffness k_max P_u / D, P_u = N_c s_u D, for a metre.
     suction_ratio : float

@@ -82,6 +82,9 @@ def friction_terms(p, i, N, n, q, r, v, stuck, c):
     """
     mu = coefficients(p, r)
     w = sub(v, scale(dot(v, n), n))
+    if p.law == SATURATED and p.slope * p.slope * dot(w, w) <= p.ratio * p.ratio * N * N:
+        force, block = damped(p, mu, n, q, w, c)
+        return force, block, False
     if p.law <= VELOCITY:
         force, block = sliding(p, mu, N, n, split_directions(q, n), w, c)
         return force, block, False
@@ -169,6 +172,16 @@ def share_given(p, mu, N, n, q, w, force):
 def plane_block(stiffness, n):
     """Stiffness in the plane of the bed."""
     return isotropic_plus(stiffness, -stiffness, n)
+
+
+@inlined
+def damped(p, mu, n, q, w, c):
+    """Saturated damping of what is slower than its limit along and across the line, as nearly all nodes are."""
+    t, size = direction_along(q, n)
+    more = (mu[0] - mu[1]) / size
+    force = scale(-p.slope, add(scale(mu[1], w), scale(more * dot(w, t), t)))
+    k = c.damping * p.slope
+    return force, sym_add(plane_block(k * mu[1], n), isotropic_plus(0.0, k * more, t))
 
 
 @inlined

@@ -3,7 +3,7 @@
 Resistance P (N for a metre of line, upwards along the normal of the bed) at the penetration z > 0, with P_u(z) what the
 soil can bear, f of that its suction, K = k_max / D and z0, P0 where the motion turned round last:
 
-    P_u = a (z / D)^b (s_u0 + rho z) D
+    P_u = N_c (s_u0 + rho z) D,   N_c = a (z / D)^b,   below z / D = 0.1 N_c = N_c(0.1) sqrt(10 z / D)
     first penetration    P = P_u K z / (1 + K z)
     uplift               P = S + Q,   S = -f P_u exp(-(z0 - z) / (l_suc z_max))
     re-penetration       P = T + Q,   T = P_u exp(min(0, (z - z_max - l_rep (z_max - z0)) / z_max))
@@ -25,6 +25,7 @@ import numpy as np
 
 from moorage._jit import inlined, part
 
+SHALLOW = 0.1  # z / D below which the bearing factor is a square root
 FRESH = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)  # never touched; (z, P, z0, P0, z_max, sense)
 
 
@@ -70,9 +71,12 @@ def law_of(p):
 @inlined
 def bearing(p, D, z):
     """Most that the soil can bear at a penetration (N/m), and its slope."""
-    factor = p.bearing * (z / D) ** p.power * D
+    ratio, power = z / D, p.power
+    factor = p.bearing * max(ratio, SHALLOW) ** power * D
+    if ratio < SHALLOW:
+        factor, power = factor * math.sqrt(ratio / SHALLOW), 0.5
     strength = p.strength + p.gradient * z
-    return factor * strength, factor * (p.power / z * strength + p.gradient)
+    return factor * strength, factor * (power / z * strength + p.gradient)
 
 
 @inlined

@@ -52,8 +52,8 @@ def build_soil(env: Environment, area, length) -> Soil:
     return soil_under(length, area / length, law)
 
 
-def build_friction(model: Model, area) -> law.Friction:
-    """Return the friction of the seabed; `area` is d l of the nodes, m2."""
+def build_friction(model: Model, area, mass) -> law.Friction:
+    """Return the friction of the seabed; `area` is d l of the nodes, m2, `mass` theirs, kg."""
     env, f = model.environment, model.environment.friction
     zero = np.zeros_like(area)
     if f is None or f.largest <= 0.0:
@@ -61,12 +61,13 @@ def build_friction(model: Model, area) -> law.Friction:
     spring = (env.seabed_stiffness if f.shear_stiffness is None else f.shear_stiffness) * area
     # equations (11) and (12) have the static coefficient in the slope of the ramp, the programs the kinetic one
     slope = f.damping * (f.static_ratio if model.flavour == "native" else 1.0)
-    damper = env.seabed_damping * area if f.model == "stick-slip" else zero
+    damper = {"stick-slip": env.seabed_damping * area, "elastic-slip": 2.0 * f.shear_damping * np.sqrt(spring * mass)}
     mu = f.map
     axial, transverse, grid = (
         (1.0, 1.0, build_grid(mu.x, mu.y, mu.axial, mu.transverse)) if mu else (f.axial, f.transverse, no_grid())
     )
     curves = build_tables([f.axial_curve, f.transverse_curve] if f.model == "soil-curves" else [])
     return law.Friction(
-        LAWS[f.model], axial, transverse, f.static_ratio, slope, f.velocity, spring, damper, f.laid, grid, curves
-    )
+        LAWS[f.model], axial, transverse, f.static_ratio, slope, f.velocity, spring, damper.get(f.model, zero), f.laid,
+        grid, curves,
+    )  # fmt: skip

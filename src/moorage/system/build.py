@@ -178,7 +178,7 @@ def build(
         weight=Weight(-env.gravity * mass, env.gravity * displaced, 0.5 * d),
         morison=Morison(mass, wet_nodes, hydro),
         contact=build_contact(env, to_nodes(d * l), to_nodes(l)),
-        friction=build_friction(model, to_nodes(d * l)),
+        friction=build_friction(model, to_nodes(d * l), mass),
         points=_points(model, holders),
         rigid=rigid,
         current=build_current(env.current),
