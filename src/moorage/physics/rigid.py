@@ -27,6 +27,7 @@ from moorage._vec3 import (
     mat_times,
     scale,
     sub,
+    sym_add,
     sym_times,
 )
 from moorage.physics.point import damping_terms, wet_fraction
@@ -245,12 +246,21 @@ def mass_load(p, o, R, A, omega, alpha):
 
 @inlined
 def given_load(p, o, R, V, c):
-    """Given forces and damping on an object (global axes), and the block of the damping."""
+    """Given forces and damping on an object (global axes), and the block; damping in a rod's axes is on its nodes."""
     fixed, d = damping_terms(triple(p, o, LINEAR), triple(p, o, QUADRATIC), V, c)
-    own, turned = damping_terms(triple(p, o, OWN_LINEAR), triple(p, o, OWN_QUADRATIC), mat_t_times(R, V), c)
-    force = add(add(triple(p, o, FORCE), fixed), mat_times(R, add(triple(p, o, OWN_FORCE), own)))
-    a, b, e, f, g, h = diagonal_turned(R, turned)
-    return force, (a + d[0], b, e, f + d[1], g, h + d[2])
+    force = add(add(triple(p, o, FORCE), fixed), mat_times(R, triple(p, o, OWN_FORCE)))
+    block = d[0], 0.0, 0.0, d[1], 0.0, d[2]
+    if p.table[o, SLENDER] == 0.0:
+        own, turned = own_damping(p, o, R, V, c)
+        force, block = add(force, own), sym_add(block, turned)
+    return force, block
+
+
+@inlined
+def own_damping(p, o, R, V, c):
+    """Damping along an object's own axes of a velocity, in global axes, and its block."""
+    force, d = damping_terms(triple(p, o, OWN_LINEAR), triple(p, o, OWN_QUADRATIC), mat_t_times(R, V), c)
+    return mat_times(R, force), diagonal_turned(R, d)
 
 
 @inlined

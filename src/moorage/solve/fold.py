@@ -26,8 +26,10 @@ from moorage._vec3 import (
     put,
     scale,
     sub,
+    sym_add,
     sym_get,
     sym_mat,
+    sym_scale,
     sym_to_general,
 )
 from moorage.layout import (
@@ -55,6 +57,7 @@ from moorage.physics.rigid import (
     inertia_of,
     lever,
     mass_load,
+    own_damping,
     skew,
     spin_terms,
     triple,
@@ -162,8 +165,12 @@ def add_rod(system, state, work, A, b, size, line, o, c):
     first, last = line_nodes(system.lines, line)
     R = mat_get(state.frames[ATTITUDE], o)
     for i in range(first, last + 1):
-        arm = rider_arm(riders, line, first, last, i)
-        add_rider(A, b, size, t, r, R, arm, get(work.force, i), sym_get(work.blocks.own, i), c.stiffness)
+        arm, force, own = rider_arm(riders, line, first, last, i), get(work.force, i), sym_get(work.blocks.own, i)
+        if system.rigid.table[o, SLENDER] == 1.0:  # the rod by itself: given damping along its axes is shared out
+            share = (1.0 if first < i < last else 0.5) / (last - first)
+            damping, block = own_damping(system.rigid, o, R, get(state.velocity, i), c)
+            force, own = add(force, scale(share, damping)), sym_add(own, sym_scale(share, block))
+        add_rider(A, b, size, t, r, R, arm, force, own, c.stiffness)
         if i < last:
             next_arm = rider_arm(riders, line, first, last, i + 1)
             S = mat_get(work.blocks.next, i)
