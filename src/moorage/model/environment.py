@@ -143,7 +143,7 @@ class Friction:
     )
     damping: float = 200.0
     shear_stiffness: float | None = None
-    shear_damping: float = 0.3
+    shear_damping: float = 0.1
     velocity: float = 0.01
     laid: bool = False
     map: FrictionMap | None = None
