@@ -5,6 +5,8 @@ import importlib
 import inspect
 
 from moorage import _jit
+from moorage._vec3 import dot
+from moorage.solve.march_kernel import march_islands
 
 
 def taken_from(text: bytes) -> set[tuple[str, str]]:
@@ -34,3 +36,9 @@ def test_key_depends_on_every_kernel(monkeypatch):
             changed = _jit.kernel_sources() | {name: text + b"#"}
             patch.setattr(_jit, "kernel_sources", lambda changed=changed: changed)
             assert _jit._key() != before, name
+
+
+def test_what_only_kernels_call_has_no_way_in_from_python_until_somebody_calls_it():
+    assert not isinstance(march_islands, _jit._Inside)
+    assert isinstance(dot, _jit._Inside)
+    assert dot((1.0, 2.0, 3.0), (4.0, 5.0, 6.0)) == 32.0
