@@ -126,9 +126,9 @@ class March:
         before, after = self.built, self._releases.rebuild(self._released, reeled)
         rows, made = carry_over(before.system, before.state, after.system, after.state, before.winches)
         if self._water is not None:
-            self._water.given = self._water.given[:, [*rows, -1]]
+            self._water.given = np.ascontiguousarray(self._water.given[:, [*rows, -1]])
         elif before.system.sea.given.shape[1] > 1:
-            after = takes_water(after, before.system.sea.given[:, [*rows, -1]])
+            after = takes_water(after, np.ascontiguousarray(before.system.sea.given[:, [*rows, -1]]))
         ptr = after.system.lines.node_ptr
         for line, end in np.argwhere(after.system.lines.end_point != before.system.lines.end_point):
             row = ptr[line] if end == 0 else ptr[line + 1] - 1
