@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from moorage.io import convert, read, read_bathymetry, read_friction_map, read_stiffness_map
     from moorage.io.motion import Motion
     from moorage.model import Model
-    from moorage.model.checks import suspicious
+    from moorage.model.checks import lacking, suspicious
     from moorage.model.unbuilt import unbuilt
     from moorage.reporting import report
     from moorage.results import envelope, line, open_result, write_vtk
@@ -65,6 +65,7 @@ _HOMES = {
     "convert": "io",
     "envelope": "results",
     "is_cold": "_jit",
+    "lacking": "model.checks",
     "line": "results",
     "natural_modes": "about_rest",
     "open_result": "results",
@@ -102,6 +103,7 @@ __all__ = [
     "envelope",
     "io",
     "is_cold",
+    "lacking",
     "line",
     "natural_modes",
     "open_result",

@@ -8,9 +8,8 @@ import numpy as np
 
 from moorage.errors import InputError, ModelError, ModelWarning, Problem
 from moorage.model import Model
-from moorage.model.checks import check, suspicious
-from moorage.model.inertia import lendings, objects_have_inertia
-from moorage.model.turbines import placed, turbines_have_places
+from moorage.model.checks import check, lacking, suspicious
+from moorage.model.turbines import placed
 from moorage.model.unbuilt import refuse_unbuilt
 
 
@@ -24,12 +23,12 @@ def accept(model: Model) -> Model:
     """
     check(model)
     refuse_unbuilt(model)
-    if lacking := [*turbines_have_places(model), *objects_have_inertia(model)]:
-        raise ModelError(lacking)
+    if problems := lacking(model):
+        raise ModelError(problems)
     if model.unused_options:
         names = ", ".join(option.name for option in model.unused_options)
         warnings.warn(f"{model.file}: options that are not used here: {names}", ModelWarning, stacklevel=3)
-    for problem in (*suspicious(model), *lendings(model)):
+    for problem in suspicious(model):
         warnings.warn(str(problem), ModelWarning, stacklevel=3)
     return placed(model)
 

@@ -18,7 +18,6 @@ from typer.core import TyperGroup
 import moorage  # its names are imported when they are used: --help must not wait for numba, xarray and matplotlib
 from moorage import console
 from moorage.case import read_case, read_payout
-from moorage.model.turbines import turbines_have_places
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -250,18 +249,18 @@ def check(file: ModelFile, raise_to_seabed: Raise = False) -> None:
     if model.unused_options:
         console.out.print("\noptions that are not used here", style="bold")
         console.fact_table({f"{o.name} {o.value}": o.reason for o in model.unused_options})
-    missing, lost = moorage.unbuilt(model), list(turbines_have_places(model))
-    doubts = [*moorage.suspicious(model), *([] if missing or lost else moorage.backward_clamps(model))]
+    missing, lacking = moorage.unbuilt(model), moorage.lacking(model)
+    doubts = [*moorage.suspicious(model), *([] if missing or lacking else moorage.backward_clamps(model))]
     if doubts:
         console.out.print("\nhardly meant", style="bold yellow")
         for problem in doubts:
             console.out.print(str(problem), markup=False, soft_wrap=True)
-    for title, problems in (("turbines without a place", lost), ("not simulated yet", missing)):
+    for title, problems in (("what it lacks", lacking), ("not simulated yet", missing)):
         if problems:
             console.out.print(f"\n{title}", style="bold")
         for problem in problems:
             console.out.print(str(problem), markup=False, soft_wrap=True)
-    if missing or lost:
+    if missing or lacking:
         raise typer.Exit(2)
     console.out.print("\nthis can be run" if doubts else "\nno problems: this can be run", style="green")
 

@@ -170,6 +170,37 @@ def test_check_names_what_is_not_built(moorage_, deck):
     assert "wavy.dat:20" in refused.stderr
 
 
+BODIES = """moorage: 1
+environment: {water_depth: 50}
+line_types: {chain: {diameter: 0.05, mass_per_length: 20, axial_stiffness: 5.0e7}}
+bodies:
+  - {id: 1, kind: free, position: [0, 0, -5], mass: MASS, volume: 2}
+points:
+  - {id: 1, kind: fixed, position: [0, 0, -50]}
+  - {id: 2, kind: fixed, body: 1, position: [0, 0, 0]}
+lines:
+  - {id: 1, end_a: 1, end_b: 2, sections: [{line_type: LINE, length: 40, segments: 4}]}
+"""
+
+
+def test_check_names_what_a_run_would_refuse_or_warn_of(moorage_):
+    """Bodies without mass, or without inertia about an axis: the same words as those of a run."""
+    massless = (
+        BODIES.replace("LINE", "thread")
+        .replace("chain: {", "thread: {")
+        .replace("mass_per_length: 20", "mass_per_length: 0")
+    )
+    for text, mass, code, words in (
+        (massless, "0", 2, "body 1 is free, and can move without mass along x, y and z"),
+        (BODIES.replace("LINE", "chain"), "500", 0, "body 1 is free, and can turn without inertia about x, y and z"),
+    ):
+        Path("bodies.yaml").write_text(text.replace("MASS", mass))
+        output = " ".join(moorage_("check", "bodies.yaml", code=code).output.split())
+        assert words in output
+        run = moorage_("run", "bodies.yaml", "--duration", 0.1, code=code)
+        assert words in " ".join(run.stderr.split())
+
+
 def test_info_and_plot_on_a_result(moorage_, result):
     output = moorage_("info", result).output
     assert "status   complete" in output

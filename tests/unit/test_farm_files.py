@@ -308,7 +308,7 @@ def test_a_model_by_itself_can_be_read_and_not_run(files):
         moorage.solve_statics(model)
     outcome = CLI.invoke(app, ["check", str(path)])
     assert outcome.exit_code == 2
-    assert "turbines without a place" in outcome.output
+    assert "what it lacks" in outcome.output
     known = dataclasses.replace(
         model, turbines=tuple(Turbine(id=k, position=(800.0 * (k - 1), 0.0, 0.0)) for k in (1, 2))
     )

@@ -37,6 +37,7 @@ from moorage.model.event_checks import (
     failures_that_never_come,
     winches_are_possible,
 )
+from moorage.model.inertia import lendings, objects_have_inertia
 from moorage.model.model import Model
 from moorage.model.seabed import below_seabed
 from moorage.model.turbines import (
@@ -44,6 +45,7 @@ from moorage.model.turbines import (
     placed,
     turbines_at_one_place,
     turbines_carry_what_is_coupled,
+    turbines_have_places,
 )
 from moorage.model.water_checks import (
     current_is_possible,
@@ -73,11 +75,16 @@ def problems_of(model: Model) -> list[Problem]:
     return [problem for function in CHECKS if function not in left_out for problem in function(model)]
 
 
+def lacking(model: Model) -> list[Problem]:
+    """Return what a model that is right still lacks to be run: places of turbines, mass of what forces move."""
+    return [*turbines_have_places(model), *objects_have_inertia(model)]
+
+
 def suspicious(model: Model) -> list[Problem]:
     """Return what can be run but is hardly meant."""
     doubts = (
         pinned_junctions, folded_joints, weak_friction, points_off_the_grid, anchors_over_the_bed, steep_waves,
-        doubtful_current, doubtful_directions, turbines_at_one_place, failures_that_never_come,
+        doubtful_current, doubtful_directions, turbines_at_one_place, failures_that_never_come, lendings,
     )  # fmt: skip
     model = placed(model)
     return [problem for doubt in doubts for problem in doubt(model)]
