@@ -82,7 +82,7 @@ numba.config.CACHE_DIR = str(CACHE)  # type: ignore[attr-defined]
 
 
 def is_cold() -> bool:
-    """Return whether the kernels have still to be compiled for this installation (three minutes, once)."""
+    """Return whether the kernels have still to be compiled for this installation (two minutes, once)."""
     return not _mark().exists()
 
 

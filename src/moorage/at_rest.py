@@ -7,7 +7,8 @@ import numpy as np
 from moorage.layout import copy_of
 from moorage.physics.motion import no_tracks, sample_track
 from moorage.physics.sea import no_sea
-from moorage.solve.march import Block, March, Settings
+from moorage.solve.blocks import Block
+from moorage.solve.march import March, Settings
 from moorage.system.build import Built, with_motion
 
 

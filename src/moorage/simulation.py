@@ -10,9 +10,10 @@ from moorage.accept import accept, check_settings
 from moorage.errors import Problem, SimulationError, UnsupportedError
 from moorage.model import Model
 from moorage.model.payout import paid_out
+from moorage.solve.blocks import Block
 from moorage.solve.coupling import Coupling, described
 from moorage.solve.host import HostMarch
-from moorage.solve.march import Block, Settings
+from moorage.solve.march import Settings
 from moorage.system.build import build
 
 

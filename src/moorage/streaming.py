@@ -14,7 +14,8 @@ import xarray as xr
 
 from moorage.errors import ModelWarning, RunInterrupted, SimulationError
 from moorage.results import Layout, MemoryResult, MoordynOut, StreamWriter
-from moorage.solve.march import Block, March
+from moorage.solve.blocks import Block
+from moorage.solve.march import March
 
 Progress = Callable[[float, float, float], None]
 

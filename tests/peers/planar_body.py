@@ -13,7 +13,18 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from planar_float import ADDED, DRAG, END_ADDED, END_DRAG, RHO, Cylinder, G, water_of_moordyn, water_of_ours
+from planar_float import (
+    ADDED,
+    DRAG,
+    END_ADDED,
+    END_DRAG,
+    RHO,
+    Cylinder,
+    G,
+    runge_kutta,
+    water_of_moordyn,
+    water_of_ours,
+)
 
 MASS, INERTIA = 1e6, 1e10  # of the body, kg and kg m2
 FIXED = Cylinder(0.0, 13.0, 10.0, 1000.0, 3)
@@ -115,12 +126,4 @@ def run(duration: float, rules: Rules, step: float = 0.02) -> tuple[np.ndarray, 
     def slope(y):
         return np.concatenate([y[4:], accelerations(y, rules)])
 
-    states = [START]
-    for _ in range(round(duration / step)):
-        y = states[-1]
-        k1 = slope(y)
-        k2 = slope(y + 0.5 * step * k1)
-        k3 = slope(y + 0.5 * step * k2)
-        k4 = slope(y + step * k3)
-        states.append(y + step / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4))
-    return step * np.arange(len(states)), np.array(states)
+    return runge_kutta(slope, START, duration, step)

@@ -133,14 +133,9 @@ def loads(state: np.ndarray, moordyn_water: bool, moordyn_kinematics: bool) -> t
     return F, M
 
 
-def run(duration: float, step: float = 0.02, moordyn_water: bool = True, moordyn_kinematics: bool = True):
-    """Return times (n,) and states (n, 6): x, z, pitch and their rates (classic Runge-Kutta)."""
-
-    def slope(y):
-        F, M = loads(y, moordyn_water, moordyn_kinematics)
-        return np.concatenate([y[3:], np.linalg.solve(M, F)])
-
-    states = [START]
+def runge_kutta(slope, start: np.ndarray, duration: float, step: float) -> tuple[np.ndarray, np.ndarray]:
+    """Return times (n,) and states (n, m) from a rate of the state, by the classic method of fourth order."""
+    states = [start]
     for _ in range(round(duration / step)):
         y = states[-1]
         k1 = slope(y)
@@ -149,3 +144,13 @@ def run(duration: float, step: float = 0.02, moordyn_water: bool = True, moordyn
         k4 = slope(y + step * k3)
         states.append(y + step / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4))
     return step * np.arange(len(states)), np.array(states)
+
+
+def run(duration: float, step: float = 0.02, moordyn_water: bool = True, moordyn_kinematics: bool = True):
+    """Return times (n,) and states (n, 6): x, z, pitch and their rates (classic Runge-Kutta)."""
+
+    def slope(y):
+        F, M = loads(y, moordyn_water, moordyn_kinematics)
+        return np.concatenate([y[3:], np.linalg.solve(M, F)])
+
+    return runge_kutta(slope, START, duration, step)

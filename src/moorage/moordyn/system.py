@@ -19,10 +19,10 @@ from moorage.moordyn.changes import broken, option, with_line, without_host_part
 from moorage.moordyn.codes import LEVEL_ERR, LEVEL_MSG, LEVEL_WRN
 from moorage.moordyn.log import Log
 from moorage.moordyn.text import Text
+from moorage.solve.blocks import Block
 from moorage.solve.control import Settings, control_of
 from moorage.solve.coupling import Coupling, described
 from moorage.solve.host import HostMarch
-from moorage.solve.march import Block
 from moorage.solve.parts import node_force_part, node_masses
 from moorage.solve.reactions import point_load
 from moorage.solve.record import Record, new_record

@@ -9,8 +9,9 @@ With N the size of the normal force, w the part of the velocity along the bed, s
 * elastic slip (OrcaFlex's kind) and stick-slip (after Choi & Yoo 2012): a node remembers where it stuck; a spring k_s
   holds it there up to the ellipse (F_a / mu_a N)^2 + (F_t / mu_t N)^2 = 1, where it slips and takes the place along. A
   step is a return mapping: the spring's trial force is scaled back onto the ellipse, so that in steady sliding friction
-  opposes the velocity with mu = 1 / sqrt(cos^2 / mu_a^2 + sin^2 / mu_t^2). Stick-slip lets the coefficients fall from
-  static to kinetic with the speed, mu = mu_k + (mu_s - mu_k) / (1 + (w / v_s)^2), and damps the spring.
+  opposes the velocity with mu = 1 / sqrt(cos^2 / mu_a^2 + sin^2 / mu_t^2). A damper beside the spring keeps nodes that
+  stick from ringing. Stick-slip lets the coefficients fall from static to kinetic with the speed,
+  mu = mu_k + (mu_s - mu_k) / (1 + (w / v_s)^2).
 
 * soil curves: the same memory, with curves of the force in place of the spring and the ellipse (soil_curves.py).
 
@@ -47,7 +48,7 @@ class Friction(NamedTuple):
     slope: float  # of saturated damping, N s/m a node and unit of the coefficient
     velocity: float  # v_s of the laws that fall with speed, m/s
     spring: np.ndarray  # (nodes,) k_s, N/m
-    damper: np.ndarray  # (nodes,) of stick-slip, N s/m
+    damper: np.ndarray  # (nodes,) beside the spring, N s/m
     laid: bool  # statics know friction
     map: Grid  # kinetic coefficients along and across the line; no points: the same everywhere
     curves: Tables  # mobilised coefficients along and across the line over displacement, m; of soil curves only

@@ -18,7 +18,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from moorage.model import Model
-from moorage.solve.march import Block
+from moorage.solve.blocks import Block
 from moorage.system.build import Built
 
 MOMENTS = ("fairlead_moment", "anchor_moment")

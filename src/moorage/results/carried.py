@@ -8,7 +8,7 @@ import numpy as np
 
 from moorage.model import Model
 from moorage.results.rod_nodes import RodNodes, rod_nodes
-from moorage.solve.march import Block
+from moorage.solve.blocks import Block
 from moorage.system.build import Built
 
 ROD = ("rod_position", "rod_force", "rod_moment")

@@ -22,8 +22,8 @@ from moorage.model.channels import Channel, parse_channel
 from moorage.physics.point import sample_loads
 from moorage.results.rigid_channels import of_body, of_rod
 from moorage.results.rod_nodes import RodNodes, rod_nodes, watched_rods
+from moorage.solve.blocks import Block
 from moorage.solve.given_water import WaterFeed
-from moorage.solve.march import Block
 from moorage.solve.water_at import water_at
 from moorage.system.build import Built
 

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from moorage.errors import Problem, ResultError
-from moorage.solve.march import Block
+from moorage.solve.blocks import Block
 
 _ROWS = ("time", "node_time")
 

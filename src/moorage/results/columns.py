@@ -15,8 +15,8 @@ from moorage.results.index import Index
 from moorage.results.sea import COMPONENT, ELEVATION, sea_columns, sea_coordinates
 from moorage.results.seabed import UPLIFT, Seabed
 from moorage.results.turbines import Turbines
+from moorage.solve.blocks import Block
 from moorage.solve.given_water import WaterFeed
-from moorage.solve.march import Block
 from moorage.variables import VARIABLES, attributes
 
 NODE_VARIABLES = ("node_position", "node_velocity", "segment_tension")

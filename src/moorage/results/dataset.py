@@ -12,7 +12,7 @@ from moorage.results.bend_check import bend_attributes, has_limits
 from moorage.results.columns import Layout
 from moorage.results.index import DOF
 from moorage.results.seabed import running_integral
-from moorage.solve.march import Block
+from moorage.solve.blocks import Block
 from moorage.variables import VARIABLES, attributes
 
 OVER_TIME = ("friction_power", "dissipated_energy", "wave_elevation")  # nothing of them at rest

@@ -13,8 +13,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from moorage.model import Line
+from moorage.solve.blocks import Block
 from moorage.solve.given_water import WaterFeed
-from moorage.solve.march import Block
 from moorage.solve.parts import part_histories
 from moorage.solve.water_at import water_along
 from moorage.system.build import Built

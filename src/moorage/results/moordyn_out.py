@@ -23,8 +23,8 @@ from moorage.results.channels import Output
 from moorage.results.moordyn_columns import Columns, Moment, line_columns, names_of, values_of
 from moorage.results.rod_columns import RodMoment, rod_columns
 from moorage.results.rod_nodes import RodNodes, rod_nodes
+from moorage.solve.blocks import Block
 from moorage.solve.given_water import WaterFeed
-from moorage.solve.march import Block
 from moorage.system.build import Built
 
 UNITS = {  # of both programs

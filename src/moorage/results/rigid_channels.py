@@ -24,7 +24,7 @@ import numpy as np
 from moorage.model import Model, Rod
 from moorage.model.channels import Channel
 from moorage.results.rod_nodes import RodNodes
-from moorage.solve.march import Block
+from moorage.solve.blocks import Block
 
 Described = tuple[str, str, Callable[[Block], np.ndarray]]  # unit, words, evaluation
 

@@ -15,8 +15,8 @@ import numpy as np
 from moorage.model import Rod
 from moorage.results.moordyn_columns import Columns, vector
 from moorage.results.rod_nodes import RodNodes
+from moorage.solve.blocks import Block
 from moorage.solve.given_water import WaterFeed
-from moorage.solve.march import Block
 from moorage.solve.parts import part_histories
 from moorage.solve.water_at import row_of_holder, water_along
 from moorage.system.build import Built

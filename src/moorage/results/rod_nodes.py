@@ -18,7 +18,7 @@ from typing import NamedTuple
 import numpy as np
 
 from moorage.model import Model
-from moorage.solve.march import Block
+from moorage.solve.blocks import Block
 from moorage.system.build import Built
 from moorage.system.objects import rigid_rods
 

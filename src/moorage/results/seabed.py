@@ -20,7 +20,7 @@ import numpy as np
 from moorage.model import Model
 from moorage.physics.bathymetry import bed_at, normal_of
 from moorage.results.bending import touchdown
-from moorage.solve.march import Block
+from moorage.solve.blocks import Block
 from moorage.solve.sticking import sticking
 from moorage.system.build import Built
 

@@ -14,8 +14,8 @@ import numpy as np
 from moorage.model import Model, Motion
 from moorage.model.turbines import on_turbines
 from moorage.physics.motion import Tracks, no_tracks, sample_track, spline_tracks
+from moorage.solve.blocks import Block
 from moorage.solve.carried import euler_angles
-from moorage.solve.march import Block
 
 NAMES = ("turbine_position", "turbine_rotation", "turbine_force", "turbine_moment")
 

@@ -14,8 +14,9 @@ from moorage.errors import MoorageError, SimulationError
 from moorage.layout import State
 from moorage.physics.motion import Tracks, sample_track
 from moorage.physics.sea import given_at
+from moorage.solve.blocks import Block, reactions_of
 from moorage.solve.given_water import as_water, set_given, takes_water
-from moorage.solve.march import Block, March, Settings
+from moorage.solve.march import March, Settings
 from moorage.solve.march_kernel import start_islands
 from moorage.solve.record import FORCE_A, Record, new_record
 from moorage.solve.reeling import length_columns, paid_by
@@ -229,7 +230,7 @@ class HostMarch:
 
     def reactions(self) -> Block:
         """Return `rod_force` and `body_force` (1, n, 6) now, see `moorage.solve.reactions`, N and N m."""
-        return self.march.reactions(self._record)
+        return reactions_of(self.march.built, self._record)
 
     def motion_of(self, row: int) -> np.ndarray:
         """Return position, velocity and acceleration (1, 9) of a driven row now."""

@@ -26,11 +26,9 @@ from moorage.layout import (
     rows_of,
 )
 from moorage.model import Attachment, Curve, Model, Motion
-from moorage.model.cables import is_joint
 from moorage.model.payout import paid_out
 from moorage.physics.morison import Morison
 from moorage.physics.motion import Tracks, no_tracks, spline_tracks, with_cubics
-from moorage.physics.point import PointLoads
 from moorage.physics.rigid import RigidLoads
 from moorage.physics.table import build_tables
 from moorage.physics.tension import Tension, damping_from_ratio
@@ -40,7 +38,8 @@ from moorage.system.bends import build_bending
 from moorage.system.guess import hang_chains, place_guess
 from moorage.system.holders import Holders, holders_of, release
 from moorage.system.joints import turn_joints
-from moorage.system.objects import Objects, build_rigid, rigid_rods, three, waterplanes
+from moorage.system.objects import Objects, build_rigid, rigid_rods, waterplanes
+from moorage.system.points import build_points
 from moorage.system.sea import build_current, build_sea
 from moorage.system.segments import NodeSum, segment_table
 from moorage.system.topology import islands_of
@@ -179,7 +178,7 @@ def build(
         morison=Morison(mass, wet_nodes, hydro),
         contact=build_contact(env, to_nodes(d * l), to_nodes(l)),
         friction=build_friction(model, to_nodes(d * l), mass),
-        points=_points(model, holders),
+        points=build_points(model, holders),
         rigid=rigid,
         current=build_current(env.current),
         sea=build_sea(env.waves),
@@ -371,40 +370,4 @@ def _tension(l, segments) -> Tension:
         np.array(springs, dtype=np.int64),
         np.array(dampers, dtype=np.int64),
         build_tables(curves),
-    )
-
-
-def _points(model: Model, holders: Holders) -> PointLoads:
-    """Loads of the points by themselves; given ones also of joints, and at ends A of rods that are fixed to bodies."""
-    env, count = model.environment, len(holders.rest)
-
-    def column(values):
-        out = np.zeros(count)
-        out[: len(model.points)] = values
-        return out
-
-    mass = column([p.mass for p in model.points])
-    volume = column([p.volume for p in model.points])
-    given = np.zeros((count, 3, 3))
-    given[: len(model.points), 0] = np.array([p.external_force for p in model.points], dtype=float).reshape(-1, 3)
-    place = {("point", point.id): k for k, point in enumerate(model.points)}
-    place |= {
-        ("rod", rod.id): holders.number[Attachment("rod", rod.id, "A")]
-        for rod in model.rods
-        if is_joint(rod) or (rod.body is not None and rod.kind == "fixed")
-    }
-    for load in model.external_loads:
-        if (at := place.get((load.target, load.target_id))) is not None:
-            given[at] += [
-                load.force, three(load.linear_damping), three(load.quadratic_damping),
-            ]  # fmt: skip
-    return PointLoads(
-        mass,
-        env.water_density * volume * column([p.added_mass for p in model.points]),
-        -env.gravity * mass,
-        env.water_density * volume,
-        env.gravity * env.water_density * volume,
-        0.5 * env.water_density * column([p.drag_area for p in model.points]),
-        np.maximum((0.75 * volume / np.pi) ** (1.0 / 3.0), 1e-3),
-        given,
     )
