@@ -173,7 +173,7 @@ def static_tables(
     objects: Sequence[ObjectSummary] = (),
 ) -> None:
     """Print a static solution: lines, seabed, cables, points, bodies and rods, stiffness, verdict."""
-    unit, scale = tension_unit(float(ds["fairlead_tension"].max()))
+    unit, scale = tension_unit(float(ds["fairlead_tension"].max()) if ds.sizes["line"] else 0.0)
     table = _table(
         f"Static equilibrium ({unit}, deg, m)",
         ["line", "fairlead B", "anchor A", "lowest", "uplift", "grounded"],

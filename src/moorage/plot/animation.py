@@ -102,6 +102,8 @@ def _writer(path: Path, fps: int) -> AbstractMovieWriter:
 def _check(ds: xr.Dataset, speed: float, fps: int) -> None:
     if not (speed > 0.0 and fps > 0):
         raise ResultError(Problem("speed and fps must be positive", "correct them", value=(speed, fps)))
+    if not ds.sizes["line"]:
+        raise ResultError(Problem("a result without lines has no film", "look at it with view"))
     if "node_position" not in ds:
         raise ResultError(Problem("the result has no histories of nodes", "run it again with --save all (save='all')"))
     if ds["node_position"].ndim < 3 or len(ds["node_position"]) < 2:

@@ -11,11 +11,13 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.gridspec import SubplotSpec
 
+from moorage.errors import Problem, ResultError
 from moorage.plot.along import plot_along
 from moorage.plot.moorings import moorings, name_of
 from moorage.plot.profile import plot_plan, plot_profile, plot_profiles
 from moorage.plot.style import new_figure, save
 from moorage.plot.tension import plot_tension
+from moorage.plot.travel import plot_travel, ways
 from moorage.plot.waves import plot_elevation
 from moorage.results.cables import cables
 
@@ -27,8 +29,16 @@ Band = tuple[float, Callable[[Figure, SubplotSpec], object]]  # a height, and wh
 
 
 def result_figure(ds: xr.Dataset) -> Figure:
-    """Return the figure of a result: what it holds of tensions over time, of profiles, and along cables."""
+    """Return the figure of a result: what it holds of tensions and motion over time, of profiles, and along cables.
+
+    Raises
+    ------
+    ResultError
+        It holds none of these.
+    """
     bands = list(_bands(ds))
+    if not bands:
+        raise ResultError(Problem("the result has no lines, bodies or rods to draw", "look at it with view"))
     heights = [height for height, _ in bands]
     figure = new_figure(WIDTH, sum(heights))
     grid = figure.add_gridspec(len(bands), 1, height_ratios=heights)
@@ -57,8 +67,10 @@ def _bands(ds: xr.Dataset) -> Iterator[Band]:
     groups = moorings(ds) if "node_position" in ds else []
     if "wave_elevation" in ds:
         yield WAVES, lambda figure, cell: plot_elevation(ds, figure.add_subplot(cell))
-    if "time" in ds["fairlead_tension"].dims:
+    if ds.sizes["line"] and "time" in ds["fairlead_tension"].dims:
         yield TALL, lambda figure, cell: plot_tension(ds, figure.add_subplot(cell))
+    if not ds.sizes["line"] and ways(ds):
+        yield LOW, lambda figure, cell: plot_travel(ds, figure.add_subplot(cell))
     if len(groups) > MOST:
         yield LOW, partial(_together, ds, groups)
         return

@@ -35,6 +35,10 @@ def picture(ds: xr.Dataset, what: str) -> Figure:
     """
     if what not in PICTURES:
         raise ResultError(Problem("there is no such picture", f"choose from {', '.join(PICTURES)}", value=what))
+    if not ds.sizes["line"]:
+        raise ResultError(
+            Problem(f"a result without lines has no {what}", "draw its figure (plot), or look at it with view")
+        )
     if what in OVER_TIME and "time" not in ds["fairlead_tension"].dims:
         raise ResultError(Problem(f"a static solution has no {what}", "take a result of `run`"))
     if what not in OVER_TIME and "node_position" not in ds:

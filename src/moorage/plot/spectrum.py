@@ -8,7 +8,7 @@ from matplotlib.axes import Axes
 from scipy.signal import welch
 
 from moorage.errors import Problem, ResultError
-from moorage.plot.style import COLOURS, QUIET, loudest, new_figure, plain
+from moorage.plot.style import draw_curves, new_figure
 from moorage.plot.tension import series
 
 LEAST = 32  # values of which a spectrum is made
@@ -42,14 +42,7 @@ def plot_spectrum(
     """
     frequency, names, density = spectra(ds, variable, start)
     ax = new_figure(8.0, 4.0).add_subplot() if ax is None else ax
-    chosen = loudest(density.max(axis=1))
-    rest = np.setdiff1d(np.arange(len(names)), chosen)
-    for k in rest:
-        label = "other lines" if k == rest[0] else None
-        ax.plot(frequency, density[k], color=QUIET, linewidth=0.5, alpha=0.5, label=label)
-    for colour, k in zip(COLOURS, chosen, strict=False):
-        ax.plot(frequency, density[k], color=colour, linewidth=1.2, label=names[k])
-    plain(ax)
+    draw_curves(ax, frequency, names, density.T, "other lines")
     held = np.cumsum(density, axis=1) / np.maximum(density.sum(axis=1, keepdims=True), 1e-300)
     last = max(int(np.searchsorted(row, ENERGY)) for row in held)
     ax.set_xlim(0.0, frequency[min(last + 1, len(frequency) - 1)])

@@ -36,6 +36,20 @@ def loudest(peaks: np.ndarray) -> np.ndarray:
     return np.sort(np.argsort(peaks)[::-1][: len(COLOURS) if len(peaks) <= len(COLOURS) else 3])
 
 
+def draw_curves(ax: Axes, x: np.ndarray, names: list[str], values: np.ndarray, others: str) -> None:
+    """Draw curves (n, k) over x (n,); of many, those with the highest peaks stand out, and `others` names the rest.
+
+    Later ones are thinner, so that an equal one under them shows.
+    """
+    chosen = loudest(values.max(axis=0))
+    rest = np.setdiff1d(np.arange(values.shape[1]), chosen)
+    for k in rest:
+        ax.plot(x, values[:, k], color=QUIET, linewidth=0.5, alpha=0.5, label=others if k == rest[0] else None)
+    for colour, k, width in zip(COLOURS, chosen, np.linspace(1.8, 0.8, len(chosen)), strict=False):
+        ax.plot(x, values[:, k], color=colour, linewidth=width, label=names[k])
+    plain(ax)
+
+
 def save(figure: Figure, path: str | Path, **options: Any) -> None:
     """Write a figure; the ending of the name chooses the format."""
     known = FigureCanvasAgg.get_supported_filetypes()

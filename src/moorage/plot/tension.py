@@ -7,7 +7,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 
 from moorage.plot.moorings import name_of, only_cables
-from moorage.plot.style import COLOURS, QUIET, loudest, plain
+from moorage.plot.style import draw_curves
 from moorage.results.cables import cables, end_value
 
 CABLE_ENDS = {"fairlead_tension": "hang_off", "anchor_tension": "far"}
@@ -20,14 +20,7 @@ def plot_tension(ds: xr.Dataset, ax: Axes, variable: str = "fairlead_tension") -
     thinner, so that an equal one under them shows.
     """
     time, (names, values) = ds["time"].values, series(ds, variable)
-    chosen = loudest(values.max(axis=0))
-    rest = np.setdiff1d(np.arange(values.shape[1]), chosen)
-    for k in rest:
-        label = "other lines" if k == rest[0] else None
-        ax.plot(time, values[:, k], color=QUIET, linewidth=0.5, alpha=0.5, label=label)
-    for colour, k, width in zip(COLOURS, chosen, np.linspace(1.8, 0.8, len(chosen)), strict=False):
-        ax.plot(time, values[:, k], color=colour, linewidth=width, label=names[k])
-    plain(ax)
+    draw_curves(ax, time, names, values, "other lines")
     ax.set_xlim(time[0], max(time[-1], time[0] + 1e-9))
     low, high = min(0.0, float(values.min())), float(values.max())
     ax.set_ylim(low, high + 0.05 * max(high - low, 1e-3))  # room over a tension that does not change

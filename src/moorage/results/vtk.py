@@ -12,6 +12,7 @@ from moorage.errors import Problem, ResultError
 from moorage.results.vtk_file import collection, polydata
 
 SERIES = "mooring.pvd"
+PLACES = ("node_position", "point_position", "rod_position", "body_position")
 MARGIN = 0.1  # of the extent of the nodes, around a flat seabed
 AT_NODES = ("curvature", "bending_moment", "seabed_gap", "node_velocity")  # with nodes, and where a result has them
 
@@ -104,7 +105,7 @@ def seabed_file(ds: xr.Dataset) -> str:
     if "bed_level" in ds:
         x, y, z = ds["bed_x"].values, ds["bed_y"].values, ds["bed_level"].values
     else:
-        r = ds["node_position"].values.reshape(-1, 3)
+        r = np.concatenate([ds[name].values.reshape(-1, 3) for name in PLACES if name in ds])
         low, high = np.nanmin(r[:, :2], axis=0), np.nanmax(r[:, :2], axis=0)
         reach = MARGIN * max(float((high - low).max()), 1.0)
         x, y = (np.array([a - reach, b + reach]) for a, b in zip(low, high, strict=True))
