@@ -94,7 +94,7 @@ def stay_row(now, trial, i, k):
 
 @inlined
 def stayed(now, trial, i):
-    """Whether friction held a node in the last step, of which `trial` still has the start."""
+    """Whether friction held a node throughout the step between two states."""
     s, s0 = get(now.stuck, i), get(trial.stuck, i)
     return s[0] == s0[0] and s[1] == s0[1] and s[2] == s0[2]
 
@@ -114,7 +114,8 @@ def implicit_step(system, now, trial, work, island, t, h, control):
     """Try one step of an island from t to t + h.
 
     Returns (converged, iterations, change, row): rms change of the auxiliary acceleration (m/s2) over the island, and
-    the row of the last largest increment.
+    the row of the last largest increment. Nodes that friction holds throughout count as at rest: however they shake,
+    springs keep them within millimetres.
     """
     lines, islands = system.lines, system.islands
     k = generalised_alpha(control.rho, h)
@@ -129,7 +130,7 @@ def implicit_step(system, now, trial, work, island, t, h, control):
         for i in range(first, last + 1):
             if rubs:
                 fastest = max(fastest, dot(get(now.velocity, i), get(now.velocity, i)))
-            if springs and stayed(now, trial, i):
+            if springs and stayed(now, trial, i):  # `trial` still has the start of the last step
                 stay_row(now, trial, i, k)
             else:
                 predict_row(now, trial, i, k)
@@ -159,12 +160,15 @@ def implicit_step(system, now, trial, work, island, t, h, control):
             part *= 0.5
             back = part - 1.0
             shift(system, trial, work, island, back * c.stiffness, back * c.damping, back)
-    total, rows = 0.0, p1 - p0
+    stick_island(system, now, trial, work.load, island)
+    total, rows, sticks = 0.0, p1 - p0, remembers(system.friction)
     for m in range(l0, l1):
         first, last = line_nodes(lines, islands.lines[m])
         rows += last + 1 - first
         for i in range(first, last + 1):
-            total += finish_row(now, trial, i, k)
+            changed = finish_row(now, trial, i, k)
+            if not (sticks and stayed(now, trial, i)):
+                total += changed
     for p in range(p0, p1):
         total += finish_row(now, trial, point_row(lines, islands.points[p]), k)
     for m in range(islands.object_ptr[island], islands.object_ptr[island + 1]):
@@ -172,7 +176,6 @@ def implicit_step(system, now, trial, work, island, t, h, control):
         size = system.rigid.table[islands.objects[m, 0], SIZE]
         total += finish_row(now, trial, row, k) + size * size * finish_row(now, trial, row + 1, k)
         rows += 1
-    stick_island(system, now, trial, work.load, island)
     return converged, iterations, math.sqrt(total / rows), row
 
 
