@@ -156,6 +156,7 @@ class State(NamedTuple):
     auxiliary: np.ndarray  # (rows, 3) m/s2, the averaged acceleration of Arnold and Bruls
     stuck: np.ndarray  # (rows, 3) m, where friction holds a node on the seabed; its position when it is off the bed
     soil: np.ndarray  # (rows, 6) what the seabed remembers of a node, see `physics.soil`
+    heat: np.ndarray  # (rows, 2) energy that friction took at a node since the start, J, and what it takes now, W
     water: np.ndarray  # (rows, 7) elevation of the surface, m; velocity, m/s, and acceleration of the water, m/s2
     frames: np.ndarray  # (2, objects, 9) ATTITUDE, rotation from an object's axes to global ones; BASE, at the start of
     # the step
@@ -227,7 +228,7 @@ def rows_of(system: System) -> int:
 
 def new_state(rows: int, objects: int) -> State:
     """Return a state of zeros, with objects upright."""
-    width = {"water": FIELDS, "soil": len(FRESH)}
+    width = {"water": FIELDS, "soil": len(FRESH), "heat": 2}
     moving = {name: np.zeros((rows, width.get(name, 3))) for name in State._fields if name not in OF_OBJECTS}
     return State(**moving, frames=np.tile(np.eye(3).ravel(), (2, objects, 1)))
 

@@ -87,7 +87,7 @@ _TABLE = (
     Variable("friction_force", "F_f", ("time", "node", "xyz"), "N", "friction of the seabed on a node"),
     Variable("sticking", "", ("time", "node"), "1", "1 where friction is below its limit, 0: sliding or off the bed"),
     Variable("friction_power", "", ("time", "line"), "W", "sum of -F.v of friction over the nodes of a line"),
-    Variable("dissipated_energy", "", ("time", "line"), "J", "integral of friction_power over the node histories"),
+    Variable("dissipated_energy", "", ("time", "line"), "J", "energy that friction took from a line since the start"),
     Variable("line_length", "L", ("time", "line"), "m", "unstretched length of a line, without what is in its winch"),
     Variable("payout_rate", "", ("time", "line"), "m s-1", "rate of that length, positive for payout"),
     Variable("segment_length", "l", ("time", "segment"), "m", "unstretched length of a segment, 0: still in the winch"),

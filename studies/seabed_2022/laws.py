@@ -159,7 +159,7 @@ def lost(ds) -> float:
     """Return the energy that friction takes from line 1 in a slow period, kJ."""
     if "dissipated_energy" not in ds:
         return 0.0
-    energy, time = ds["dissipated_energy"].sel(line=1).values, node_time(ds)
+    energy, time = ds["dissipated_energy"].sel(line=1).values, ds["time"].values
     counted = energy[-1] - energy[np.abs(time - COUNTED).argmin()]
     return float(counted / 1e3 * DRIFT_PERIOD / (DURATION - COUNTED))
 

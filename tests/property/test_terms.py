@@ -646,13 +646,17 @@ def test_no_energy_is_gained_in_a_closed_loop(name):
     p, N, i, zero = rubbing(name), 800.0, np.uintp(0), (0.0, 0.0, 0.0)
     angle = np.linspace(0.0, 2.0 * np.pi, 721)
     path = 0.02 * np.stack([np.cos(angle) - 1.0, np.sin(angle), 0.0 * angle], axis=1)
-    stuck, work, before = zero, 0.0, np.zeros(3)
+    stuck, work, heat, before = zero, 0.0, 0.0, np.zeros(3)
     for r0, r in pairwise(path):
         force = np.array(friction_terms(p, i, N, UP, ALONG, tuple(r), zero, stuck, STIFFNESS)[0])
         work += 0.5 * (force + before) @ (r - r0)
-        stuck, before = stuck_after(p, i, N, UP, ALONG, tuple(r), zero, stuck, STIFFNESS), force
+        stuck, lost = stuck_after(p, i, N, UP, ALONG, tuple(r), zero, stuck, STIFFNESS)
+        heat, before = heat + lost, force
+        assert lost >= 0.0
     held = 0.5 * 2e5 * np.sum((path[-1] - np.array(stuck)) ** 2)
     assert work + held < 0.0
+    if name == "elastic":
+        assert -(work + held) == pytest.approx(heat, rel=2e-3)
     # in full slip the work is that of the ellipse's force along the loop
     assert -work > 0.9 * 0.4 * N * 2.0 * np.pi * 0.02
 

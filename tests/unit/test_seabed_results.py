@@ -11,11 +11,12 @@ import moorage
 from moorage import streaming
 from moorage.model import Bathymetry, Friction, Motion, Soil
 from moorage.results import seabed_reports, static_report
-from moorage.results.seabed import running_integral, uplift
+from moorage.results.seabed import uplift
 from moorage.variables import VARIABLES
 
 HISTORIES = ["seabed_gap", "seabed_force", "friction_force", "sticking", "friction_power", "touchdown_position"]
-HISTORIES += ["touchdown_arc_length", "dissipated_energy"]
+HISTORIES += ["touchdown_arc_length"]
+OVER_TIME = ["anchor_uplift_force", "dissipated_energy"]
 ANGLE = np.deg2rad(8.0)
 
 
@@ -42,13 +43,14 @@ def surge():
 
 @pytest.fixture(scope="module")
 def rough(surge):
+    """Recorded at the ends of all steps: between them the laws do not hold exactly."""
     model = spread_of_one(friction=Friction(axial=0.5, transverse=0.7))
-    return moorage.simulate(model, motion=surge, duration=12.0, dt_out=0.25)
+    return moorage.simulate(model, motion=surge, duration=12.0, dt_out=0.025, time_step=0.025)
 
 
 def test_plain_runs_stay_small(surge):
     ds = moorage.simulate(spread_of_one(), motion=surge, duration=0.5)
-    assert not {*HISTORIES, "anchor_uplift_force"} & {*ds.variables}
+    assert not {*HISTORIES, *OVER_TIME} & {*ds.variables}
 
 
 @pytest.mark.parametrize("model", [sloping(), spread_of_one(friction=Friction(axial=0.5))], ids=["bed", "friction"])
@@ -69,7 +71,7 @@ def test_soil_shows_its_suction(surge):
 
 
 def test_variables_have_their_dims(rough):
-    for name in (*HISTORIES, "anchor_uplift_force"):
+    for name in (*HISTORIES, *OVER_TIME):
         assert rough[name].dims == VARIABLES[name].dims
         assert rough[name].attrs["units"] == VARIABLES[name].unit
 
@@ -98,9 +100,11 @@ def test_friction_stays_in_its_cone_and_sticks_inside_it(rough):
 
 
 def test_energy_is_the_work_of_the_friction(rough):
-    power = -(rough["friction_force"].values * rough["node_velocity"].values).sum(axis=(1, 2))
+    work = np.diff(rough["node_position"].values, axis=0)
+    force = 0.5 * (rough["friction_force"].values[1:] + rough["friction_force"].values[:-1])
     energy = rough["dissipated_energy"].values[:, 0]
-    assert energy[-1] == pytest.approx(np.trapezoid(power, rough["time"].values))
+    assert np.all(np.diff(energy) >= 0.0)
+    assert energy[-1] == pytest.approx(-(force * work).sum(), rel=0.05)
     assert energy[-1] > 0.0
 
 
@@ -204,15 +208,6 @@ def test_reports_for_people(rough):
     assert entry["touchdown_arc_length"] == row.touchdown_arc_length[0]
     assert entry["anchor_uplift_force"] == 0.0
     assert seabed_reports(moorage.solve_statics(spread_of_one())) == []
-
-
-def test_integral_goes_on_from_block_to_block():
-    time, power = np.linspace(0.0, 2.0, 21), np.linspace(0.0, 4.0, 21)[:, None]
-    whole = running_integral(time, power)
-    np.testing.assert_allclose(whole[:, 0], time**2)
-    second = running_integral(time[8:], power[8:], (time[7], power[7], whole[7]))
-    np.testing.assert_array_equal(second, whole[8:])
-    assert running_integral(time[:0], power[:0]).shape == (0, 1)
 
 
 def test_resumed_run_goes_on_with_friction_and_its_energy(surge, tmp_path, monkeypatch):

@@ -88,8 +88,8 @@ TURN = 8.0  # s
 SOFT = kind(diameter=0.1, mass_per_length=40.0, axial_stiffness=1e5)
 
 
-def turn(friction: Friction) -> tuple[float, float]:
-    """Return what the ends pay in the third turn, and what friction takes, J."""
+def turn(friction: Friction) -> tuple[float, float, float]:
+    """Return what the ends pay in the third turn, what friction takes, and what the result says of that, J."""
     level = -DEPTH - W / (STIFFNESS * 0.1)
     time = np.arange(0.0, 3.0 * TURN + 0.5, 0.1)
     angle, grow = 2.0 * np.pi * time / TURN, np.minimum(time / TURN, 1.0) ** 2
@@ -105,13 +105,15 @@ def turn(friction: Friction) -> tuple[float, float]:
     third = block["time"] >= 2.0 * TURN
     power = -(block["end_force"][:, 0] * block["point_velocity"]).sum(axis=(1, 2))
     rub = -(block["friction_force"] * block["node_velocity"]).sum(axis=(1, 2))
-    return tuple(float(np.trapezoid(p[third], block["time"][third])) for p in (power, rub))
+    paid, taken = (float(np.trapezoid(p[third], block["time"][third])) for p in (power, rub))
+    return paid, taken, float(np.ptp(block["dissipated_energy"][third]))
 
 
 def check_turn(model: str, wrong: float = 1.0) -> None:
-    paid, taken = turn(Friction(axial=0.5, transverse=0.7, model=model, damping=1e4, velocity=0.05))
+    paid, taken, told = turn(Friction(axial=0.5, transverse=0.7, model=model, damping=1e4, velocity=0.05))
     assert paid > 1e4
     assert wrong * paid == pytest.approx(taken, rel=1e-3)
+    assert told == pytest.approx(taken, rel=0.01)
 
 
 @pytest.mark.parametrize("model", ["elastic-slip", "stick-slip", "saturated-damping", "velocity-dependent"])

@@ -122,22 +122,25 @@ def way_along(n, r, stuck):
 
 @inlined
 def stuck_after(p, i, N, n, q, r, v, stuck, c):
-    """Where a node sticks after a step: where it did, or after slipping where its spring gives the friction.
+    """Where a node sticks after a step: where it did, or after slipping where its spring gives the friction; and the
+    energy that slipping took, J.
 
     q: along the line, of any length.
     """
     if p.law == SOIL:
         d = way_along(n, r, stuck)
-        held = soil_terms(p.curves, N, n, split_directions(q, n), d, c)[2]
+        force, _, held = soil_terms(p.curves, N, n, split_directions(q, n), d, c)
         lost = sub(d, held)
-        return stuck if dot(lost, lost) < 1e-24 else sub(r, held)
+        return (stuck, 0.0) if dot(lost, lost) < 1e-24 else (sub(r, held), -dot(force, lost))
     w = sub(v, scale(dot(v, n), n))
     trial = trial_force(p, i, n, v, r, stuck)
     share = share_given(p, coefficients(p, r), N, n, q, w, trial)
     if share >= 1.0:
-        return stuck
+        return stuck, 0.0
     # the spring keeps its share of the force, not what the damper gave: it would drive the node on when that slows down
-    return sub(r, scale(math.sqrt(share), way_along(n, r, stuck)))
+    slips = math.sqrt(share)
+    place = sub(r, scale(slips, way_along(n, r, stuck)))
+    return place, -slips * dot(trial, sub(place, stuck))
 
 
 @inlined

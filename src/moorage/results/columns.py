@@ -13,7 +13,7 @@ from moorage.results.carried import Carried
 from moorage.results.channels import Output
 from moorage.results.index import Index
 from moorage.results.sea import COMPONENT, ELEVATION, sea_columns, sea_coordinates
-from moorage.results.seabed import UPLIFT, Seabed
+from moorage.results.seabed import Seabed
 from moorage.results.turbines import Turbines
 from moorage.solve.blocks import Block
 from moorage.solve.given_water import WaterFeed
@@ -78,14 +78,9 @@ class Layout:
     @property
     def names(self) -> tuple[str, ...]:
         """Names of the variables over time, coordinates of time first."""
-        return self.recorded + tuple(self.integrals)
-
-    @property
-    def recorded(self) -> tuple[str, ...]:
-        """Names of the variables that a block gives by itself."""
         times = ("time", "node_time") if self.node_time == "node_time" else ("time",)
         sea = ELEVATION if self.waves else ()
-        at_ends = (MOMENTS if self.bending else ()) + (UPLIFT if self.seabed else ())
+        at_ends = (MOMENTS if self.bending else ()) + (self.seabed.over_time if self.seabed else ())
         carried = sum((part.names for part in (self.carried, self.turbines) if part), ())
         return (
             times
@@ -97,11 +92,6 @@ class Layout:
             + self.histories
             + tuple(output.name for output in self.outputs)
         )
-
-    @property
-    def integrals(self) -> dict[str, str]:
-        """Names of the integrals over time, which need the block before, and of what they integrate."""
-        return self.seabed.integrals if self.seabed and self.node_time else {}
 
     @property
     def histories(self) -> tuple[str, ...]:
@@ -136,7 +126,7 @@ class Layout:
         if name not in VARIABLES:
             return ("time",)
         dims = VARIABLES[name].dims
-        return (self.node_time, *dims[1:]) if name in self.histories or name in self.integrals else dims
+        return (self.node_time, *dims[1:]) if name in self.histories else dims
 
     def attributes(self, name: str) -> dict[str, str]:
         """Return the CF attributes of a variable over time."""
@@ -162,7 +152,7 @@ class Layout:
             **(sea_columns(self.waves, block["time"]) if self.waves else {}),
             **{output.name: output.evaluate(block) for output in self.outputs},
         }
-        return {name: values[name] for name in self.recorded}
+        return {name: values[name] for name in self.names}
 
 
 def uplift_angle(force: np.ndarray, grounded: np.ndarray) -> np.ndarray:

@@ -11,7 +11,6 @@ from moorage.errors import Problem, ResultError
 from moorage.results.bend_check import bend_attributes, has_limits
 from moorage.results.columns import Layout
 from moorage.results.index import DOF
-from moorage.results.seabed import running_integral
 from moorage.solve.blocks import Block
 from moorage.variables import VARIABLES, attributes
 
@@ -26,9 +25,7 @@ def to_dataset(layout: Layout, blocks: Iterable[Block], attrs: Mapping[str, obje
 def join_columns(layout: Layout, parts: Sequence[Mapping[str, np.ndarray]], attrs: Mapping[str, object]) -> xr.Dataset:
     """Return a dataset of the columns of successive blocks."""
     times = [name for name in ("time", "node_time") if name in layout.names]
-    values = {name: np.concatenate([part[name] for part in parts]) for name in layout.recorded}
-    for name, power in layout.integrals.items():
-        values[name] = running_integral(values[layout.node_time], values[power])
+    values = {name: np.concatenate([part[name] for part in parts]) for name in layout.names}
     joined = {name: (layout.dims(name), values[name], layout.attributes(name)) for name in layout.names}
     coords = coordinates(layout) | {name: joined.pop(name) for name in times}
     return xr.Dataset(joined, coords, dict(attrs))

@@ -4,9 +4,9 @@ The *uplift* of an anchor is the pull of the line on it away from the seabed: th
 where end A stands at the start, and its angle over the bed. Neither is below zero while line lies on the bed, because
 half a segment that weighs down on the anchor is no pull.
 
-The *power* of friction is the sum of -F . v over the nodes of a line, from the node histories; the energy is its
-integral by the trapezoidal rule over their times. It is as good as their interval, and holds the little energy of the
-springs of nodes that stick.
+The *dissipated energy* is that of friction alone, summed in the steps of the run: of laws that stick the force times
+the way that a node slips, of laws of the velocity the integral of the *power*, the sum of -F . v over the nodes of a
+line. The power itself is of the node histories, and also holds what goes into springs of nodes that stick.
 
 Verified by tests/unit/test_seabed_results.py.
 """
@@ -27,8 +27,8 @@ from moorage.system.build import Built
 UPLIFT = ("anchor_uplift_force",)
 CONTACT = ("seabed_gap", "seabed_force")
 FRICTION = ("friction_force", "sticking", "friction_power")
+ENERGY = ("dissipated_energy",)
 TOUCHDOWN = ("touchdown_position", "touchdown_arc_length")
-INTEGRALS = {"dissipated_energy": "friction_power"}
 
 
 @dataclass(frozen=True)
@@ -50,6 +50,11 @@ class Seabed:
     friction: bool
 
     @property
+    def over_time(self) -> tuple[str, ...]:
+        """Names of the columns of every output time."""
+        return UPLIFT + (ENERGY if self.friction else ())
+
+    @property
     def histories(self) -> tuple[str, ...]:
         """Names of the columns that go with histories of nodes."""
         return CONTACT + (FRICTION if self.friction else ()) + TOUCHDOWN
@@ -65,15 +70,12 @@ class Seabed:
         """Lengths of the dimensions of the depth grid."""
         return {name: len(self.coordinates[name]) for name in ("bed_x", "bed_y") if name in self.coordinates}
 
-    @property
-    def integrals(self) -> dict[str, str]:
-        """Names of the integrals over time that go with them, and of what they integrate."""
-        return INTEGRALS if self.friction else {}
-
     def columns(self, block: Block) -> dict[str, np.ndarray]:
         """Return the columns of a block, by name."""
         force, angle = uplift(block["end_force"][:, :, 0], self.normal, block["grounded_length"])
         values = {"anchor_uplift_force": force, "anchor_uplift_angle": angle}
+        if self.friction:
+            values["dissipated_energy"] = block["dissipated_energy"]
         return values | (self._histories(block) if "seabed_gap" in block else {})
 
     def _histories(self, block: Block) -> dict[str, np.ndarray]:
@@ -108,19 +110,3 @@ def uplift(force: np.ndarray, normal: np.ndarray, grounded: np.ndarray) -> tuple
     angle = np.arctan2(up, np.sqrt((along**2).sum(axis=-1)))
     lies = grounded > 0.0
     return np.where(lies, np.maximum(up, 0.0), up), np.where(lies, np.maximum(angle, 0.0), angle)
-
-
-def running_integral(time: np.ndarray, power: np.ndarray, before: tuple[np.ndarray, ...] | None = None) -> np.ndarray:
-    """Return the integral (n, lines) of a power (n, lines) to every time (n,), by the trapezoidal rule.
-
-    Parameters
-    ----------
-    before : tuple, optional
-        Time, power and integral of the row before; without it the integral begins with 0 at the first time.
-    """
-    if not len(time):
-        return np.zeros_like(power)
-    t0, p0, start = before or (time[0], power[0], np.zeros(power.shape[1]))
-    steps = np.diff(time, prepend=t0)[:, None] * 0.5 * (power + np.concatenate([p0[None], power[:-1]]))
-    steps[0] += start
-    return np.cumsum(steps, axis=0)

@@ -19,7 +19,6 @@ from moorage.errors import Problem, ResultError
 from moorage.results.bend_check import bend_attributes, has_limits
 from moorage.results.columns import Layout
 from moorage.results.reader import open_result
-from moorage.results.seabed import running_integral
 from moorage.variables import FLAGS, VARIABLES, attributes
 
 RUNNING = "running"
@@ -72,7 +71,6 @@ class StreamWriter:
 
     def append(self, columns: Mapping[str, np.ndarray]) -> None:
         """Write one block; when this returns the block is in the file."""
-        columns = {**columns, **self._integrals(columns)}
         for name, values in columns.items():
             row = self.written[self._time_of(name)]
             if len(values):
@@ -90,18 +88,6 @@ class StreamWriter:
     def dataset(self) -> xr.Dataset:
         """Open the file for reading; values are read when they are used."""
         return open_result(self.path)
-
-    def _integrals(self, columns: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
-        """Return the integrals over time, which go on from the last row in the file."""
-        time = self.layout.node_time
-        return {
-            name: running_integral(columns[time], columns[power], self._last_row(time, power, name))
-            for name, power in self.layout.integrals.items()
-        }
-
-    def _last_row(self, time: str, *names: str) -> tuple[np.ndarray, ...] | None:
-        row = self.written[time] - 1
-        return tuple(np.ma.getdata(self._file[name][row]) for name in (time, *names)) if row >= 0 else None
 
     def _time_of(self, name: str) -> str:
         return self.layout.dims(name)[0]

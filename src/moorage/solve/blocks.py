@@ -41,6 +41,7 @@ def block_of(built: Built, record: Record, rows: int, node_rows: int | None, res
         "end_moment": at_ends(c.MOMENT_A, 3),
         "lowest_tension": lines[:, :, c.LOWEST],
         "grounded_length": lines[:, :, c.GROUNDED],
+        "dissipated_energy": lines[:, :, c.HEAT],
         "point_position": points[:, :named, 0:3],
         "point_velocity": points[:, :named, 3:6],
         "point_acceleration": points[:, :named, 6:9],

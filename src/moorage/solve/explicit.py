@@ -43,7 +43,7 @@ def explicit_step(system, now, trial, work, island, t, h, order):
             stage_row(now, trial, stage, point_row(lines, islands.points[p]), h * weight, h * ahead)
         stage_objects(islands, now, trial, stage, island, h * weight, h * ahead)
     set_accelerations(system, trial, work, island, t + h)
-    stick_island(system, now, trial, work.load, island)
+    stick_island(system, now, trial, work.load, island, h)
     fastest, where = 0.0, -1
     for m in range(l0, l1):
         first, last = line_nodes(lines, islands.lines[m])

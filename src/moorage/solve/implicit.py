@@ -17,7 +17,7 @@ from moorage._jit import inlined, kernel, part
 from moorage._vec3 import add, dot, get, mat_get, mat_put, put, scale, sub
 from moorage.layout import BASE, Weights, line_nodes, memory_of, point_row, put_memory
 from moorage.physics.contact import near_bed, penetration
-from moorage.physics.friction import ELASTIC, NONE, SOIL, STICK_SLIP, remembers, stuck_after
+from moorage.physics.friction import ELASTIC, NONE, SOIL, STICK_SLIP, friction_terms, remembers, stuck_after
 from moorage.physics.rigid import SIZE
 from moorage.physics.soil import remember
 from moorage.solve.newton import assemble_island, newton_island, shift, solve_island
@@ -160,7 +160,7 @@ def implicit_step(system, now, trial, work, island, t, h, control):
             part *= 0.5
             back = part - 1.0
             shift(system, trial, work, island, back * c.stiffness, back * c.damping, back)
-    stick_island(system, now, trial, work.load, island)
+    stick_island(system, now, trial, work.load, island, h)
     total, rows, sticks = 0.0, p1 - p0, remembers(system.friction)
     for m in range(l0, l1):
         first, last = line_nodes(lines, islands.lines[m])
@@ -180,28 +180,35 @@ def implicit_step(system, now, trial, work, island, t, h, control):
 
 
 @kernel
-def stick_island(system, now, trial, load, island):
-    """Set where friction holds the nodes of an island, and what the soil remembers, after a step from `now` to `trial`.
+def stick_island(system, now, trial, load, island, h):
+    """Set where friction holds the nodes of an island, what it took, and what the soil remembers, after a step of
+    length h from `now` to `trial`.
 
     load: (rows, 4) N, under which the nodes rub, -1 where they surely stay; and the normal of the bed, of the last
     iteration: looking it up again takes 3 % of a run.
     """
-    sticks, soil = remembers(system.friction), system.contact.soil
-    if not (sticks or soil.on):
+    rubs, sticks, soil = system.friction.law != NONE, remembers(system.friction), system.contact.soil
+    if not (rubs or soil.on):
         return
     lines, islands, c = system.lines, system.islands, Weights(0.0, 0.0, 0.0)
     for m in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
         first, last = line_nodes(lines, islands.lines[m])
         for i in range(first, last + 1):
             r, N = get(trial.position, i), load[i, 0]
+            place, heat, power = r, now.heat[i, 0], 0.0
             if N < 0.0:
-                put(trial.stuck, i, get(now.stuck, i))
-            elif N == 0.0 or not sticks:
-                put(trial.stuck, i, r)
-            else:
+                place = get(now.stuck, i)
+            elif N > 0.0 and rubs:
                 q = sub(get(trial.position, min(i + 1, last)), get(trial.position, max(i - 1, first)))
-                n, v = (load[i, 1], load[i, 2], load[i, 3]), get(trial.velocity, i)
-                put(trial.stuck, i, stuck_after(system.friction, np.uintp(i), N, n, q, r, v, get(now.stuck, i), c))
+                n, v, node = (load[i, 1], load[i, 2], load[i, 3]), get(trial.velocity, i), np.uintp(i)
+                if sticks:
+                    place, lost = stuck_after(system.friction, node, N, n, q, r, v, get(now.stuck, i), c)
+                    heat += lost
+                else:
+                    power = -dot(friction_terms(system.friction, node, N, n, q, r, v, r, c)[0], v)
+                    heat += 0.5 * h * (now.heat[i, 1] + power)
+            put(trial.stuck, i, place)
+            trial.heat[i, 0], trial.heat[i, 1] = heat, power
             if soil.on:
                 z = penetration(system.contact, r) if near_bed(system.contact, r, r) else 0.0
                 put_memory(trial, i, remember(soil, np.uintp(i), memory_of(soil, now, i), z))

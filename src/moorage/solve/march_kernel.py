@@ -194,6 +194,8 @@ def swap_row(x, y, i):
         x.water[i, c], y.water[i, c] = y.water[i, c], x.water[i, c]
     for c in range(x.soil.shape[1]):
         x.soil[i, c], y.soil[i, c] = y.soil[i, c], x.soil[i, c]
+    for c in range(2):
+        x.heat[i, c], y.heat[i, c] = y.heat[i, c], x.heat[i, c]
     put(y.position, i, r)
     put(y.velocity, i, v)
     put(y.acceleration, i, a)

@@ -29,7 +29,7 @@ from moorage.system.ride import surface_band
 
 # columns of Record.lines
 FORCE_A, FORCE_B, LOAD_A, LOAD_B, TENSION_A, TENSION_B, LOWEST, GROUNDED = 0, 3, 6, 9, 12, 13, 14, 15
-MOMENT_A, MOMENT_B, COLUMNS = 16, 19, 22
+MOMENT_A, MOMENT_B, HEAT, COLUMNS = 16, 19, 22, 23
 # of a rod: FORCE_A is the sum of the forces on its nodes and LOAD_A that without inertia, MOMENT_A and MOMENT_B are
 # their moments about its end A
 # columns of Record.objects: position, velocity, acceleration; rotation (9); angular velocity and acceleration, global
@@ -145,7 +145,7 @@ def sample_island(system, state, t, island, sample):
                     sample[line, LOAD_A + 3 * end + x] += force[x]
                     sample[line, FORCE_A + 3 * end + x] += force[x]
                     sample[line, MOMENT_A + 3 * end + x] = moment[x]
-        lowest, grounded, tension = 1e300, 0.0, 0.0
+        lowest, grounded, tension, heat = 1e300, 0.0, 0.0, state.heat[last, 0]
         below = depth_at(system, state, first)
         for i in range(first, last):
             j = np.uintp(i - line)
@@ -153,11 +153,12 @@ def sample_island(system, state, t, island, sample):
             tension = segment_tension(system.tension, j, e, de)
             if i == first:
                 sample[line, TENSION_A] = tension
-            lowest = min(lowest, tension)
+            lowest, heat = min(lowest, tension), heat + state.heat[i, 0]
             below_next = depth_at(system, state, i + 1)
             grounded += system.tension.length[j] * grounded_part(below, below_next)
             below = below_next
         sample[line, TENSION_B], sample[line, LOWEST], sample[line, GROUNDED] = tension, lowest, grounded
+        sample[line, HEAT] = heat
     if len(system.winches.place) > 0:
         sample_winches(system, state, island, sample, FORCE_A)
 

@@ -110,9 +110,10 @@ def solve(built: Built, tolerance: float | None = None) -> Equilibrium:
         _warn_of_pushing(built)
     for island in range(len(islands.line_ptr) - 1):
         if laid:
-            stick_island(system, built.state, built.state, built.work.load, island)
+            stick_island(system, built.state, built.state, built.work.load, island, 0.0)
         else:
             stick_where_it_is(system.lines, system.islands, built.state, island)
+    built.state.heat[:] = 0.0
     return Equilibrium(worst, place_name(built, where), used, damped, accepted)
 
 
