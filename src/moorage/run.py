@@ -48,6 +48,7 @@ from moorage.solve.clamps import warn_of_clamps
 from moorage.solve.control import Settings, default_tolerance
 from moorage.solve.given_water import WaterFeed, WaterFunction
 from moorage.solve.march import March
+from moorage.solve.peeling import warn_of_peeling
 from moorage.solve.platforms import Platform, measured
 from moorage.solve.statics import rest, solve
 from moorage.solve.stiffness import platform_stiffness
@@ -79,6 +80,7 @@ def solve_statics(model: Model) -> xr.Dataset:
     built = build(model)
     equilibrium = solve(built)
     warn_of_clamps(built)
+    warn_of_peeling(built)
     block = records_at_rest(built, Settings(dt_nodes=1.0, watch=watch_list(model)))
     stiffness = _stiffness(built, block["holder_force"][0][built.coupled])
     attrs = run_attributes(model, None, {"start": "static", **friction_in_statics(model)}, VERSION) | {
@@ -209,6 +211,7 @@ def simulate(
         (solve if chosen["start"] == "static" else rest)(built)
         static = static_tensions(built) if chosen["start"] == "static" else {}
         warn_of_clamps(built)
+        warn_of_peeling(built)
     feed = None if water is None else WaterFeed(water, float(water_interval), len(built.state.position))
     releases = releases_of(model, motion, duration)
     shown, room = model, built
