@@ -156,10 +156,10 @@ class State(NamedTuple):
     auxiliary: np.ndarray  # (rows, 3) m/s2, the averaged acceleration of Arnold and Bruls
     stuck: np.ndarray  # (rows, 3) m, where friction holds a node on the seabed; its position when it is off the bed
     soil: np.ndarray  # (rows, 6) what the seabed remembers of a node, see `physics.soil`
-    heat: np.ndarray  # (rows, 2) energy that friction took at a node since the start, J, and what it takes now, W
     water: np.ndarray  # (rows, 7) elevation of the surface, m; velocity, m/s, and acceleration of the water, m/s2
     frames: np.ndarray  # (2, objects, 9) ATTITUDE, rotation from an object's axes to global ones; BASE, at the start of
     # the step
+    heat: np.ndarray  # (lines, 2) energy that friction took from a line since the start, J, and what it takes now, W
 
     @property
     def attitude(self) -> np.ndarray:
@@ -173,7 +173,7 @@ class State(NamedTuple):
 
 
 ATTITUDE, BASE = 0, 1
-OF_OBJECTS = ("frames",)  # fields of the state that have no row for each row
+WITHOUT_ROWS = ("frames", "heat")  # fields of the state that have no row for each row
 
 
 class Table(NamedTuple):
@@ -226,11 +226,11 @@ def rows_of(system: System) -> int:
     return int(system.lines.node_ptr[-1]) + len(system.points.mass) + 2 * len(system.riders.objects)
 
 
-def new_state(rows: int, objects: int) -> State:
+def new_state(rows: int, objects: int, lines: int) -> State:
     """Return a state of zeros, with objects upright."""
-    width = {"water": FIELDS, "soil": len(FRESH), "heat": 2}
-    moving = {name: np.zeros((rows, width.get(name, 3))) for name in State._fields if name not in OF_OBJECTS}
-    return State(**moving, frames=np.tile(np.eye(3).ravel(), (2, objects, 1)))
+    width = {"water": FIELDS, "soil": len(FRESH)}
+    moving = {name: np.zeros((rows, width.get(name, 3))) for name in State._fields if name not in WITHOUT_ROWS}
+    return State(**moving, frames=np.tile(np.eye(3).ravel(), (2, objects, 1)), heat=np.zeros((lines, 2)))
 
 
 def copy_of(state: State) -> State:
@@ -256,7 +256,7 @@ def new_work(system: System) -> Work:
         np.zeros((len(system.joints.rule), 9)),
     )  # fmt: skip
     return Work(
-        new_state(rows, len(system.riders.objects)),
+        new_state(rows, len(system.riders.objects), len(system.lines.bends)),
         new_table(system, rows),
         blocks,
         np.zeros((rows, 3)),

@@ -11,7 +11,7 @@ import numpy as np
 from moorage.accept import accept
 from moorage.errors import ModelWarning, MoorageError, SimulationError
 from moorage.io import read
-from moorage.layout import OF_OBJECTS, State, copy_of
+from moorage.layout import WITHOUT_ROWS, State, copy_of
 from moorage.model import Attachment, Failure
 from moorage.model.checks import check
 from moorage.model.turbines import placed
@@ -261,7 +261,7 @@ class System:
         nodes = int(before.system.lines.node_ptr[-1])
         rows = np.insert(np.arange(len(before.state.position)), nodes + points, 0)
         rows[nodes + points] = before.names.node_ptr[lines[0] + end] - end
-        state = State(*(v if name in OF_OBJECTS else v[rows] for name, v in before.state._asdict().items()))
+        state = State(*(v if name in WITHOUT_ROWS else v[rows] for name, v in before.state._asdict().items()))
         time, march, given = self.time, self.host.march, before.system.sea.given
         self._build(new)
         if given.shape[1] > 1:

@@ -167,7 +167,7 @@ def implicit_step(system, now, trial, work, island, t, h, control):
         rows += last + 1 - first
         for i in range(first, last + 1):
             changed = finish_row(now, trial, i, k)
-            if not (sticks and stayed(now, trial, i)):
+            if not (sticks and work.load[i, 0] < 0.0):
                 total += changed
     for p in range(p0, p1):
         total += finish_row(now, trial, point_row(lines, islands.points[p]), k)
@@ -184,18 +184,20 @@ def stick_island(system, now, trial, load, island, h):
     """Set where friction holds the nodes of an island, what it took, and what the soil remembers, after a step of
     length h from `now` to `trial`.
 
-    load: (rows, 4) N, under which the nodes rub, -1 where they surely stay; and the normal of the bed, of the last
-    iteration: looking it up again takes 3 % of a run.
+    load: (rows, 4) N, under which the nodes rub, -1 where they surely stay, and is set to that where they do; and the
+    normal of the bed, of the last iteration: looking it up again takes 3 % of a run.
     """
     rubs, sticks, soil = system.friction.law != NONE, remembers(system.friction), system.contact.soil
     if not (rubs or soil.on):
         return
     lines, islands, c = system.lines, system.islands, Weights(0.0, 0.0, 0.0)
     for m in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
-        first, last = line_nodes(lines, islands.lines[m])
+        line = islands.lines[m]
+        first, last = line_nodes(lines, line)
+        heat, power = 0.0, 0.0
         for i in range(first, last + 1):
             r, N = get(trial.position, i), load[i, 0]
-            place, heat, power = r, now.heat[i, 0], 0.0
+            place = r
             if N < 0.0:
                 place = get(now.stuck, i)
             elif N > 0.0 and rubs:
@@ -204,14 +206,15 @@ def stick_island(system, now, trial, load, island, h):
                 if sticks:
                     place, lost = stuck_after(system.friction, node, N, n, q, r, v, get(now.stuck, i), c)
                     heat += lost
+                    load[i, 0] = N if lost > 0.0 else -1.0
                 else:
-                    power = -dot(friction_terms(system.friction, node, N, n, q, r, v, r, c)[0], v)
-                    heat += 0.5 * h * (now.heat[i, 1] + power)
+                    power -= dot(friction_terms(system.friction, node, N, n, q, r, v, r, c)[0], v)
             put(trial.stuck, i, place)
-            trial.heat[i, 0], trial.heat[i, 1] = heat, power
             if soil.on:
                 z = penetration(system.contact, r) if near_bed(system.contact, r, r) else 0.0
                 put_memory(trial, i, remember(soil, np.uintp(i), memory_of(soil, now, i), z))
+        trial.heat[line, 0] = now.heat[line, 0] + heat + 0.5 * h * (now.heat[line, 1] + power)
+        trial.heat[line, 1] = power
 
 
 @inlined

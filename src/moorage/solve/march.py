@@ -11,7 +11,7 @@ from itertools import pairwise
 import numpy as np
 
 from moorage.errors import SimulationError
-from moorage.layout import OF_OBJECTS, new_state
+from moorage.layout import WITHOUT_ROWS, new_state
 from moorage.solve.blocks import Block, block_of
 from moorage.solve.control import Settings, control_of, default_tolerance
 from moorage.solve.given_water import WaterFeed, takes_water
@@ -83,7 +83,8 @@ class March:
             np.zeros(islands, dtype=np.int64),
             np.full(islands, -1, dtype=np.int64),
         )
-        self.old = new_state(len(self.built.state.position), len(self.built.state.attitude))
+        state = self.built.state
+        self.old = new_state(len(state.position), len(state.attitude), len(state.heat))
         if self._water is not None:
             self._water.start(self.built, time)
         start_islands(self.built.system, self.built.state, self.built.work, time)
@@ -127,7 +128,7 @@ class March:
         for line, end in np.argwhere(after.system.lines.end_point != before.system.lines.end_point):
             row = ptr[line] if end == 0 else ptr[line + 1] - 1
             for name, values in zip(after.state._fields, after.state, strict=True):
-                if name not in OF_OBJECTS:
+                if name not in WITHOUT_ROWS:
                     values[ptr[-1] + after.system.lines.end_point[line, end]] = values[row]
             point = ptr[-1] + after.system.lines.end_point[line, end]
             after.state.velocity[point] += leaving(before.system, before.state, line, end)

@@ -168,9 +168,12 @@ def next_step(control, size, h, error):
 def swap_island(lines, islands, old, now, island):
     """Exchange the rows of an island between two states."""
     for m in range(islands.line_ptr[island], islands.line_ptr[island + 1]):
-        first, last = line_nodes(lines, islands.lines[m])
+        line = islands.lines[m]
+        first, last = line_nodes(lines, line)
         for i in range(first, last + 1):
             swap_row(old, now, i)
+        for c in range(2):
+            old.heat[line, c], now.heat[line, c] = now.heat[line, c], old.heat[line, c]
     for p in range(islands.point_ptr[island], islands.point_ptr[island + 1]):
         swap_row(old, now, point_row(lines, islands.points[p]))
     for k in range(islands.object_ptr[island], islands.object_ptr[island + 1]):
@@ -194,8 +197,6 @@ def swap_row(x, y, i):
         x.water[i, c], y.water[i, c] = y.water[i, c], x.water[i, c]
     for c in range(x.soil.shape[1]):
         x.soil[i, c], y.soil[i, c] = y.soil[i, c], x.soil[i, c]
-    for c in range(2):
-        x.heat[i, c], y.heat[i, c] = y.heat[i, c], x.heat[i, c]
     put(y.position, i, r)
     put(y.velocity, i, v)
     put(y.acceleration, i, a)

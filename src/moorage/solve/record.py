@@ -145,7 +145,7 @@ def sample_island(system, state, t, island, sample):
                     sample[line, LOAD_A + 3 * end + x] += force[x]
                     sample[line, FORCE_A + 3 * end + x] += force[x]
                     sample[line, MOMENT_A + 3 * end + x] = moment[x]
-        lowest, grounded, tension, heat = 1e300, 0.0, 0.0, state.heat[last, 0]
+        lowest, grounded, tension = 1e300, 0.0, 0.0
         below = depth_at(system, state, first)
         for i in range(first, last):
             j = np.uintp(i - line)
@@ -153,12 +153,12 @@ def sample_island(system, state, t, island, sample):
             tension = segment_tension(system.tension, j, e, de)
             if i == first:
                 sample[line, TENSION_A] = tension
-            lowest, heat = min(lowest, tension), heat + state.heat[i, 0]
+            lowest = min(lowest, tension)
             below_next = depth_at(system, state, i + 1)
             grounded += system.tension.length[j] * grounded_part(below, below_next)
             below = below_next
         sample[line, TENSION_B], sample[line, LOWEST], sample[line, GROUNDED] = tension, lowest, grounded
-        sample[line, HEAT] = heat
+        sample[line, HEAT] = state.heat[line, 0]
     if len(system.winches.place) > 0:
         sample_winches(system, state, island, sample, FORCE_A)
 

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from moorage.errors import ConvergenceError, ModelWarning
-from moorage.layout import OF_OBJECTS, State, System, copy_of
+from moorage.layout import WITHOUT_ROWS, State, System, copy_of
 from moorage.physics.friction import ELASTIC, NONE, SOIL
 from moorage.physics.sea import no_sea
 from moorage.solve.implicit import stick_island
@@ -229,9 +229,9 @@ def _put_back(built: Built, island: int, begin: State) -> None:
     own = islands.objects[objects, 1]
     rows = np.concatenate([*(np.arange(ptr[k], ptr[k + 1]) for k in lines), ptr[-1] + points, own, own + 1])
     for name, target, source in zip(State._fields, built.state, begin, strict=True):
-        if name in OF_OBJECTS:
+        if name == "frames":
             target[:, islands.objects[objects, 0]] = source[:, islands.objects[objects, 0]]
-        else:
+        elif name not in WITHOUT_ROWS:
             target[rows] = source[rows]
 
 

@@ -188,7 +188,7 @@ def build(
     if winches and reeled is not None:
         ratio = ~np.isnan(segments["damping_ratio"])
         system = system._replace(winches=build_winches(system, winches, reeled, first_track, island_of_line, ratio))
-    state = new_state(rows_of(system), len(riders.objects))
+    state = new_state(rows_of(system), len(riders.objects), len(system.lines.bends))
     place_objects(holders.objects, riders, state)
     weight = env.gravity * (m - env.water_density * segments["area"])
     place_guess(model, system, state, l, weight)

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from moorage.layout import OF_OBJECTS, State, System
+from moorage.layout import WITHOUT_ROWS, State, System
 from moorage.physics import winch as at
 from moorage.physics.bending import RIGID
 from moorage.system.winches import Winch
@@ -47,7 +47,7 @@ def carry_over(
     """
     rows = rows_kept(before, after, winches)
     for name, target, source in zip(State._fields, new, old, strict=True):
-        target[...] = source if name in OF_OBJECTS else source[rows]
+        target[...] = source if name in WITHOUT_ROWS else source[rows]
     found = []
     for w in winches:
         first, last = int(before.lines.node_ptr[w.line]), int(before.lines.node_ptr[w.line + 1]) - 1
@@ -63,17 +63,9 @@ def carry_over(
             xi, u = gone / length, old.position[inner] - old.position[held]
             new.position[node] = old.position[inner] - xi * u
             new.velocity[node] = (1.0 - xi) * old.velocity[inner] + xi * (old.velocity[held] + growth * u)
-            new.stuck[node], new.heat[node] = new.position[node], 0.0
+            new.stuck[node] = new.position[node]
             found.append(Made(node, segment, inside, end, xi, length, growth * length))
-    _keep_heat(before, old, after, new)
     return rows, found
-
-
-def _keep_heat(before: System, old: State, after: System, new: State) -> None:
-    """Leave the energy that friction took at nodes that are gone to their lines, at end A."""
-    was, now = before.lines.node_ptr, after.lines.node_ptr
-    kept = np.add.reduceat(new.heat[: now[-1], 0], now[:-1])
-    new.heat[now[:-1], 0] += np.add.reduceat(old.heat[: was[-1], 0], was[:-1]) - kept
 
 
 def leaving(system: System, state: State, line: int, end: int) -> np.ndarray:
