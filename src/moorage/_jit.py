@@ -1,4 +1,4 @@
-"""The only place that touches numba: `kernel` for loops, `inlined` for small functions of scalars and tuples.
+"""The only place, with `_held`, that touches numba: `kernel` for loops, `inlined` for functions of scalars and tuples.
 
 Kernels never raise, print or allocate. Compiled code is kept in a folder keyed by a hash of all sources of kernels,
 because numba's own cache does not notice a changed callee in another file.

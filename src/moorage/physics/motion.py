@@ -66,6 +66,28 @@ def spline(t, y) -> np.ndarray:
     return np.stack([bend / h[:, None], (d - s[:-1]) / h[:, None] - bend, s[:-1], y[:-1]], axis=-1)
 
 
+@kernel
+def all_finite(values):
+    """Whether no number of (m, 3) is infinite or none: NumPy takes ten times as long for a few."""
+    total = 0.0
+    for k in range(len(values)):
+        total += 0.0 * (values[k, 0] + values[k, 1] + values[k, 2])
+    return total == 0.0
+
+
+@kernel
+def set_cubics(tracks, t0, t1, r0, v0, r1, v1):
+    """Let the first tracks follow the cubics from places (m, 3) and velocities at t0 (s) to those at t1."""
+    tracks.knots[0], tracks.knots[1] = t0, t1
+    h = t1 - t0
+    for k in range(len(r0)):
+        for x in range(3):
+            cubic, d = tracks.coefficients[k, 0, x], (r1[k, x] - r0[k, x]) / h
+            cubic[0] = (v0[k, x] + v1[k, x] - 2.0 * d) / (h * h)
+            cubic[1] = (3.0 * d - 2.0 * v0[k, x] - v1[k, x]) / h
+            cubic[2], cubic[3] = v0[k, x], r0[k, x]
+
+
 def with_cubics(tracks: Tracks, knots: list[np.ndarray], pieces: list[np.ndarray]) -> Tracks:
     """Add rows of which x follows piecewise cubics: pieces (n, 4), highest power first, between knots (n + 1,), s."""
     if not knots:

@@ -10,9 +10,10 @@ from collections.abc import Callable
 
 import numpy as np
 
+from moorage._held import Held, Snapshot
 from moorage.errors import MoorageError, SimulationError
 from moorage.layout import State
-from moorage.physics.motion import Tracks, sample_track
+from moorage.physics.motion import Tracks, all_finite, sample_track, set_cubics
 from moorage.physics.sea import given_at
 from moorage.solve.blocks import Block, reactions_of
 from moorage.solve.given_water import as_water, set_given, takes_water
@@ -95,6 +96,8 @@ class HostMarch:
         self.velocity = np.zeros_like(self.position)
         self.time = 0.0
         self._march: March | None = None
+        self._snapshot: Snapshot | None = None
+        self._snapshot_of: Held | None = None
 
     def initialize(self, position=None, velocity=None, static: bool = True) -> np.ndarray:
         """Start at time 0 with the coupled points at a position (m, 3), m; return the forces on them (m, 3), N."""
@@ -136,7 +139,7 @@ class HostMarch:
             late = f"step() to {time} s, but the run is at {self.time:g} s: time must increase"
             raise SimulationError(late, self.time)
         position, velocity = self._checked("position", position), self._checked("velocity", velocity)
-        saved = self.save()
+        go_back = self._way_back()
         self._set_tracks(self.time, time, position, velocity)
         try:
             if len(self.paid):
@@ -145,11 +148,29 @@ class HostMarch:
                 self._cut_until(time)
             forces = self._forces(time)
         except MoorageError:
-            self.restore(saved)
+            go_back()
             raise
         self.time, self.position, self.velocity = float(time), position, velocity
         self.paid, self.paid_next = self.paid_next, self.paid_next * [1.0, 0.0]
         return forces
+
+    def _way_back(self) -> Callable[[], None]:
+        """Return what undoes a step that fails."""
+        if len(self.paid):  # lines may be cut anew on the way
+            saved = self.save()
+            return lambda: self.restore(saved)
+        march, time = self.march, self.march.time
+        held = march.hold(self._record)
+        if self._snapshot is None or held is not self._snapshot_of:
+            self._snapshot, self._snapshot_of = Snapshot(march.changing), held
+        snapshot = self._snapshot
+        snapshot.keep()
+
+        def go_back() -> None:
+            snapshot.go_back()
+            march.time = time
+
+        return go_back
 
     def take_water(self, given: np.ndarray | None = None) -> None:
         """Let the host give the water from now on, still until it does; given: (2, rows + 1, 7) of another system."""
@@ -240,21 +261,22 @@ class HostMarch:
 
     def _checked(self, name: str, values) -> np.ndarray:
         array = np.array(values, dtype=float)
-        if array.size != self.position.size or not np.isfinite(array).all():
-            raise SimulationError(
-                f"{name}: expected {len(self.position)} x 3 finite numbers (coupled points in the order of the file), "
-                f"got an array of shape {array.shape}" + ("" if np.isfinite(array).all() else " with NaN or inf in it"),
-                self.time,
-            )
-        return array.reshape(self.position.shape)
+        if array.size == self.position.size and all_finite(array.reshape(-1, 3)):
+            return array.reshape(self.position.shape)
+        raise SimulationError(
+            f"{name}: expected {len(self.position)} x 3 finite numbers (coupled points in the order of the file), "
+            f"got an array of shape {array.shape}" + ("" if np.isfinite(array).all() else " with NaN or inf in it"),
+            self.time,
+        )
 
     def _set_tracks(self, t0: float, t1: float, position, velocity) -> None:
         """Put the Hermite cubic from the present motion to the one at t1 into the tracks."""
-        self._tracks.knots[:] = t0, t1
-        cubics, m = self._tracks.coefficients[:, 0], len(self.driven)
-        _set_cubics(cubics[:m], t1 - t0, self.position, self.velocity, position, velocity)
-        (r0, v0), (r1, v1) = self.paid.T, self.paid_next.T
-        _set_cubics(cubics[m:, 0], t1 - t0, r0, v0, r1, v1)
+        set_cubics(self._tracks, float(t0), float(t1), self.position, self.velocity, position, velocity)
+        if len(self.paid):
+            lengths = self._tracks._replace(coefficients=self._tracks.coefficients[len(self.driven) :])
+            now, then = (np.pad(paid[:, None], ((0, 0), (0, 2), (0, 0))) for paid in (self.paid, self.paid_next))
+            columns = [np.ascontiguousarray(x[..., k]) for x in (now, then) for k in (0, 1)]
+            set_cubics(lengths, float(t0), float(t1), *columns)
 
     def _forces(self, time: float) -> np.ndarray:
         """Advance to a time and sum the forces of all line ends on each coupled point, (m, 3), N.
@@ -268,11 +290,3 @@ class HostMarch:
         ends = self._record.lines[0, : self._lines, FORCE_A : FORCE_A + 6].ravel()
         m = len(self.built.coupled)
         return np.bincount(self._component, ends, 3 * m + 3)[: 3 * m].reshape(m, 3)
-
-
-def _set_cubics(cubics, h: float, r0, v0, r1, v1) -> None:
-    """Set cubics (..., 4), highest power first, from values and slopes at both ends of an interval of h (s)."""
-    cubics[..., 0] = 2.0 * (r0 - r1) / h**3 + (v0 + v1) / h**2
-    cubics[..., 1] = 3.0 * (r1 - r0) / h**2 - (2.0 * v0 + v1) / h
-    cubics[..., 2] = v0
-    cubics[..., 3] = r0

@@ -7,15 +7,17 @@ import os
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from itertools import pairwise
+from operator import is_
 
 import numpy as np
 
+from moorage._held import Held
 from moorage.errors import SimulationError
 from moorage.layout import WITHOUT_ROWS, new_state
 from moorage.solve.blocks import Block, block_of
 from moorage.solve.control import Settings, control_of, default_tolerance
 from moorage.solve.given_water import WaterFeed, takes_water
-from moorage.solve.march_kernel import BROKEN, OK, UNSTABLE, Clocks, march_islands, start_islands
+from moorage.solve.march_kernel import BROKEN, OK, UNSTABLE, Clocks, Marching, march_islands, start_islands
 from moorage.solve.places import place_name
 from moorage.solve.record import Record, new_record
 from moorage.solve.reeling import paid_by, result_rows, surge_at, watched_now
@@ -65,6 +67,7 @@ class March:
         self._counted = np.zeros(3, dtype=np.int64)  # by the systems before
         self._rows = 0  # output times recorded so far, time 0 included
         self._node_rows = 0
+        self._held: Held | None = None
         self._begin(0.0, built)
 
     def _begin(self, time: float, built: Built, made: Sequence[Made] = ()) -> None:
@@ -199,6 +202,13 @@ class March:
         self._node_rows += len(node_times)
         return self.block(record, len(times), len(node_times))
 
+    @property
+    def changing(self) -> list[np.ndarray]:
+        """The arrays that a step changes, where no failure comes and no line is cut anew."""
+        built = self.built
+        given, table = built.system.sea.given, built.work.table
+        return [*built.state, *self.old, *self.clocks, *table, given, self.control.leftover]
+
     def checkpoint(self) -> Block:
         """Return everything that `restore` needs to go on, bit for bit, as arrays."""
         saved: Block = {f"now_{k}": v.copy() for k, v in zip(self.old._fields, self.built.state, strict=True)}
@@ -257,11 +267,10 @@ class March:
         built = self.built
         islands = len(self.clocks.time)
 
+        held = self.hold(record)
+
         def part(bounds):
-            march_islands(
-                built.system, self.old, built.state, built.work, self.clocks, self.control, bounds[0], bounds[1],
-                until, stop, built.island_of_line, record,
-            )  # fmt: skip
+            march_islands(held, bounds[0], bounds[1], until, stop)
 
         workers = min(PROCESSORS, max(islands, 1), int(built.system.lines.node_ptr[-1]) // THREAD_NODES + 1)
         if workers == 1:
@@ -270,17 +279,31 @@ class March:
             cuts = np.linspace(0, islands, 4 * workers + 1).astype(int)
             with ThreadPoolExecutor(workers) as pool:
                 list(pool.map(part, pairwise(cuts)))
-        failed = np.flatnonzero((self.clocks.status != OK) & (self.clocks.status != BROKEN))
-        if len(failed):
-            raise self._failure(int(failed[np.argmin(self.clocks.time[failed])]), record)
-        came_off = np.flatnonzero(self.clocks.status == BROKEN)
-        if len(came_off):
-            first = came_off[np.argmin(self.clocks.time[came_off])]
-            which = built.system.breaks.rows[self.clocks.row[first], 2]
-            raise Break(int(which), float(self.clocks.time[first]))
+        if self.clocks.status.any():
+            self._raise_why(record)
         if not np.isfinite(record.lines).all():
             row, line, _ = np.argwhere(~np.isfinite(record.lines))[0].tolist()
             raise self._not_a_number(row, line, record)
+
+    def _raise_why(self, record: Record) -> None:
+        """Raise for the islands that stopped."""
+        clocks = self.clocks
+        failed = np.flatnonzero((clocks.status != OK) & (clocks.status != BROKEN))
+        if len(failed):
+            raise self._failure(int(failed[np.argmin(clocks.time[failed])]), record)
+        came_off = np.flatnonzero(clocks.status == BROKEN)
+        first = came_off[np.argmin(clocks.time[came_off])]
+        raise Break(int(self.built.system.breaks.rows[clocks.row[first], 2]), float(clocks.time[first]))
+
+    def hold(self, record: Record) -> Held:
+        """Return what the march works on as kernels take it, made anew only where something else is meant."""
+        built = self.built
+        parts = Marching(
+            built.system, self.old, built.state, built.work, self.clocks, self.control, built.island_of_line, record
+        )
+        if self._held is None or not all(map(is_, parts, self._held.values)):
+            self._held = Held(parts)
+        return self._held
 
     def block(self, record: Record, rows: int, node_rows: int) -> Block:
         """Split the buffers into named arrays of the first `rows` times."""

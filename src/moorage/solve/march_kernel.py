@@ -7,13 +7,14 @@ from typing import NamedTuple
 
 import numpy as np
 
+from moorage._held import held_values
 from moorage._jit import inlined, kernel, part
 from moorage._vec3 import get, put
-from moorage.layout import line_nodes, point_row
+from moorage.layout import State, System, Work, line_nodes, point_row
 from moorage.solve.breaks import broken
 from moorage.solve.explicit import explicit_step
 from moorage.solve.implicit import implicit_step, start_island
-from moorage.solve.record import record_lines, record_nodes, record_objects, record_watched, sample_island
+from moorage.solve.record import Record, record_lines, record_nodes, record_objects, record_watched, sample_island
 from moorage.system.reel import reel
 from moorage.system.water import next_interval, start_table, table_end
 
@@ -56,12 +57,26 @@ def start_islands(system, state, work, t):
         start_island(system, state, work, island, t)
 
 
+class Marching(NamedTuple):
+    """All that a march works on."""
+
+    system: System
+    old: State  # at the start of the last step
+    now: State
+    work: Work
+    clocks: Clocks
+    control: Control
+    island_of_line: np.ndarray
+    record: Record
+
+
 @kernel
-def march_islands(system, old, now, work, clocks, control, begin, end, until, stop, island_of_line, record):
+def march_islands(held, begin, end, until, stop):
     """Advance islands begin..end-1 to `until` and write the outputs up to there; no step goes beyond `stop`.
 
-    One function, because a kernel inside another is compiled twice.
+    held: `Held` of `Marching`. One function, because a kernel inside another is compiled twice.
     """
+    system, old, now, work, clocks, control, island_of_line, record = held_values(held)
     for island in range(begin, end):
         if clocks.status[island] != OK:
             continue
