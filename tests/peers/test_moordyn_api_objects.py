@@ -147,11 +147,11 @@ def test_a_host_feels_a_coupled_rod_alike(theirs, name, record_property):
 
     MoorDyn-C has no centripetal force there: as the rod turns, the mean vertical force is 1 % (4 % of its deviation) from
     ours. With m L / 2 w^2 of its mass and A_end L w^2 of the water at end B along the axis it is the same; without, the
-    check must fail. The forces here belong to one step earlier, and to MoorDyn-C the angles count from where the file has
-    the rod. Held, both feel weight less buoyancy, -4275.3 N.
+    check must fail. MoorDyn-C's forces belong to one step earlier, and to it the angles count from where the file has the
+    rod. Held, both feel weight less buoyancy, -4275.3 N.
     """
     upright = np.arctan2(1.0, 2.0)
-    mine, other = coupled_rod(ours, WAYS[name], upright)[21:], coupled_rod(theirs, WAYS[name], 0.0)[20:-1]
+    mine, other = coupled_rod(ours, WAYS[name], upright)[20:-1], coupled_rod(theirs, WAYS[name], 0.0)[21:]
     deviation = other.std(axis=0)
     if name == "still":
         assert np.abs(mine - other).max() < 1e-3
