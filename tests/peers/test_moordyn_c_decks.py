@@ -5,8 +5,8 @@ so are those of MoorDyn-C where its tensions need it: they are those of the stag
 is not statics, MoorDyn-C is given ours: the programs' first guesses of lines differ, and MoorDyn-C has a free rod's first
 attitude from end B alone (RodHanging). What is left is explained by scenes beside:
 
-* seafloor: its slack line begins in the surface, where the programs share out what is wet in different ways; 1 m deeper it is
-  the same to 1e-5, until the weight touches down on the slope. MoorDyn-C pushes it up, we push along the normal, and so it
+* seafloor: its slack line begins in the surface, where the programs share out what is wet in different ways
+  (`test_moordyn_c_surface`); 1 m deeper it is the same to 1e-5, until the weight touches down on the slope. MoorDyn-C pushes it up, we push along the normal, and so it
   slides down; on a flat bed it is the same to the end.
 * bodyDrag: the body and the end of its spring begin in the surface; 1 m deeper the position is the same to 1e-6.
 * pinnedBody: beside the exact pendulum MoorDyn-C is half a coupling step late, with the acceleration at a step's start.
