@@ -20,11 +20,12 @@ class Beam(NamedTuple):
     """A uniform beam, clamped along x at its first end."""
 
     bending: float  # EI, N m2
-    axial: float  # EA, N; none in compression
+    axial: float  # EA, N
     mass: float  # kg/m
     weight: float  # N/m
     ratio: float  # of the critical damping of a segment
     stretched: bool  # which length bends are divided by
+    pushes: bool = False  # whether segments have compression
     length: float = 10.0  # m
 
 
@@ -35,7 +36,8 @@ def forces(beam: Beam, r: np.ndarray, v: np.ndarray) -> np.ndarray:
     L = np.linalg.norm(e, axis=1)
     q = e / L[:, None]
     damping = beam.ratio * np.sqrt(beam.axial * beam.mass) * (q * de).sum(axis=1)
-    tension = np.maximum(beam.axial * (L - l) / l, 0.0) + damping
+    elastic = beam.axial * (L - l) / l
+    tension = (elastic if beam.pushes else np.maximum(elastic, 0.0)) + damping
 
     before, after = np.vstack([[1.0, 0.0], q[:-1]]), q
     cosine = (before * after).sum(axis=1)

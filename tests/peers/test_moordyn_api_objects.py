@@ -166,3 +166,31 @@ def test_a_host_feels_a_coupled_rod_alike(theirs, name, record_property):
     assert (error < 5e-3).all(), error
     if turn:
         assert (np.sqrt(((mine - other) ** 2).mean(axis=0)) / deviation)[1] > 0.03
+
+
+def kicked(m, ratio: float, decks) -> np.ndarray:
+    """Return the changes of velocity (m/s) by step of a host that is kicked once, and steps explicitly by 10 ms.
+
+    A rod of 50 t in air rides on it; the host's own mass is that over `ratio`.
+    """
+    text = (
+        (decks / "body_tests/pinnedBody.txt").read_text("utf-8", errors="replace").replace("CoupledPinned", "Coupled")
+    )
+    x, v, force, changes = np.array([0.0, 0.0, -5.0, 0.0, 0.0, 0.0]), np.zeros(6), 1e4, []
+    system = begin(m, text, x)
+    for k in range(120):
+        change = 0.01 * force * ratio / 5e4
+        v[1] += change
+        force = m.Step(system, x, v, 0.01 * k, 0.01)[1]
+        x = x + 0.01 * v
+        changes.append(abs(change))
+    m.Close(system)
+    return np.array(changes)
+
+
+def test_a_host_with_little_mass_of_its_own(theirs, reference):
+    """What rides on an explicit host may weigh 0.75 of it (MoorDyn-C: 1), the root of z^3 + r (4 z^2 + z - 2) / 3 at z = 1i."""
+    decks = reference / "moordyn-c-tests"
+    for m, ratio, stable in ((ours, 0.5, True), (ours, 0.9, False), (theirs, 0.9, True), (theirs, 1.1, False)):
+        changes = kicked(m, ratio, decks)
+        assert (changes[-1] < 1e-3 * changes[0]) == stable, (m.__name__, ratio)
