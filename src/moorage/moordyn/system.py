@@ -72,7 +72,7 @@ class System:
         self.text: Text | None = None
         self._build(build(self.model))
         self.pose, self.rate = described(self.model), np.zeros(self.coupling.size)
-        self.mean = self.rate
+        self.means = np.stack([self.rate, self.rate])  # rates over the last step and the one before
 
     def _build(self, built: Built) -> None:
         self.host = HostMarch(built, SETTINGS)
@@ -139,7 +139,7 @@ class System:
         self.host.initialize(position, velocity, static)
         if self.step_max is not None:
             self.limit_step(self.step_max)
-        self.pose, self.rate, self.mean = pose, rate, rate
+        self.pose, self.rate, self.means = pose, rate, np.stack([rate, rate])
         self._forget()
         if option(self.model, "disableOutput", "0").lower() not in ("1", "true"):
             self.text = Text(self.path, self.model, self.built)
@@ -156,7 +156,7 @@ class System:
 
         Points go in straight lines, so that their velocity jumps from step to step as MoorDyn's does. Where bodies or
         rods are coupled, all velocities are continuous, for their mass feels each jump: that at the end of the step is
-        extrapolated from the means of this step and the last.
+        extrapolated from the means of this step and the last two: exact where they are those of a parabola over time.
 
         Returns
         -------
@@ -167,8 +167,10 @@ class System:
         mean = (target - self.pose) / dt
         host, before = self.host, (self.host.velocity, [line.length for line in self.model.lines])
         self._pay_out({line: speed * dt for line, speed in self.pay_out.items()})
-        rate = mean + 0.5 * (mean - self.mean) if self.coupling.carries else mean
-        if not self.coupling.carries:
+        if self.coupling.carries:
+            rate = (11.0 * mean - 7.0 * self.means[0] + 2.0 * self.means[1]) / 6.0
+        else:
+            rate = mean
             host.velocity = self.coupling.at(self.pose, mean)[1]
         try:
             force = host.step(host.time + dt, *self.coupling.at(target, rate))
@@ -176,7 +178,7 @@ class System:
             host.velocity = before[0]
             self._pay_out({line: before[1][line] - self.model.lines[line].length for line in self.pay_out})
             raise
-        self.pose, self.rate, self.mean = target, rate, mean
+        self.pose, self.rate, self.means = target, rate, np.stack([mean, self.means[0]])
         self._forget()
         broke = self._break_lines()
         if self.text is not None:
@@ -315,7 +317,7 @@ class System:
         """Return everything that `restore` needs."""
         host = self.host.save()
         lengths = np.array([line.length for line in self.model.lines])
-        return host | {"pose": self.pose, "rate": self.rate, "mean": self.mean, "length": lengths}
+        return host | {"pose": self.pose, "rate": self.rate, "means": self.means, "length": lengths}
 
     def restore(self, saved: Block) -> None:
         """Go back to a saved state of the same system, bit for bit."""
@@ -336,7 +338,7 @@ class System:
             else:
                 saved = saved | {"given": np.zeros_like(present)}  # still
         self.host.restore({name: saved[name] for name in now})
-        self.pose, self.rate, self.mean = (saved[name].copy() for name in ("pose", "rate", "mean"))
+        self.pose, self.rate, self.means = (saved[name].copy() for name in ("pose", "rate", "means"))
         self._forget()
 
     def set_state(self, state: State) -> None:
