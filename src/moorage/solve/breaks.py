@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from moorage._jit import kernel
+from moorage._jit import part
 from moorage._vec3 import add, dot
 from moorage.layout import line_nodes
 from moorage.solve.bends import end_bending
 from moorage.solve.record import node_force
 
 
-@kernel
+@part
 def broken(system, state, island_of_line, island, t):
     """Return the first break of an island whose line end bears more than it can at time t, -1: none."""
     breaks = system.breaks

@@ -37,7 +37,7 @@ from moorage.physics.winch import (
 )
 
 
-@kernel
+@part
 def reel(system, island, t):
     """Give the end segments at the winches of an island the lengths of time t."""
     for k in range(len(system.winches.place)):

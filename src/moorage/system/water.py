@@ -12,7 +12,7 @@ from moorage.physics.sea import ETA, A, U, count, given_water, grown, is_given, 
 from moorage.physics.sea_table import FIELDS, look_up, set_row, step_path
 
 
-@kernel
+@part
 def set_water(lines, islands, sea, current, table, state, island, t):
     """Set elevation, velocity and acceleration of the water at all rows of an island at time t, if it moves."""
     if count(sea) == 0 and not is_given(sea) and not current.flows:
