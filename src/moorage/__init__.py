@@ -37,7 +37,7 @@ if TYPE_CHECKING:
     from moorage.model.unbuilt import unbuilt
     from moorage.reporting import report
     from moorage.results import envelope, line, open_result, write_vtk
-    from moorage.run import simulate, solve_statics, warmup
+    from moorage.run import simulate, solve_statics
     from moorage.show import view
     from moorage.simulation import Simulation
 
@@ -80,7 +80,7 @@ _HOMES = {
     "suspicious": "model.checks",
     "unbuilt": "model.unbuilt",
     "view": "show",
-    "warmup": "run",
+    "warmup": "warm",
     "write_vtk": "results",
 }
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 import warnings
 from collections.abc import Mapping
 from importlib.metadata import version
@@ -16,7 +15,7 @@ from moorage._jit import mark_warm
 from moorage.accept import accept, check_settings, check_water, warn_of_idle_winches
 from moorage.at_rest import records_at_rest, static_tensions
 from moorage.errors import ModelWarning, SimulationError
-from moorage.model import Attachment, Curve, Environment, Line, LineType, Model, Motion, OutputChannel, Point, Section
+from moorage.model import Curve, Model, Motion
 from moorage.model.payout import driven
 from moorage.results import (
     Checkpoint,
@@ -43,7 +42,6 @@ from moorage.results import (
 )
 from moorage.results.carried import carried_of
 from moorage.results.turbines import turbines_of
-from moorage.simulation import Simulation
 from moorage.solve.clamps import warn_of_clamps
 from moorage.solve.control import Settings, default_tolerance
 from moorage.solve.given_water import WaterFeed, WaterFunction
@@ -252,30 +250,6 @@ def simulate(
     warn_of_overloads(result)
     warn_of_lines_off_the_grid(result)
     return result
-
-
-def warmup() -> float:
-    """Compile all kernels, so that the next process starts at once; return the wall time, s."""
-    begin = time.perf_counter()
-    line_type = LineType(name="chain", diameter=0.05, mass_per_length=50.0, axial_stiffness=1e8)
-    line = {"end_b": Attachment("point", 2), "sections": (Section(line_type="chain", length=60.0, segments=3),)}
-    model = Model(
-        environment=Environment(water_depth=50.0),
-        line_types=(line_type,),
-        points=(
-            Point(id=1, kind="fixed", position=(0.0, 0.0, -50.0)),
-            Point(id=2, kind="coupled", position=(30.0, 0.0, 0.0)),
-        ),
-        lines=(Line(id=1, end_a=Attachment("point", 1), **line),),  # type: ignore[arg-type]
-        outputs=(OutputChannel(name="LINE1N1TEN"), OutputChannel(name="POINT2FX")),
-    )
-    motion = Motion.from_harmonics(1.0, ramp=0.5, surge=(0.1, 1.0))
-    solve_statics(model)
-    for method in ("implicit", "rk2", "rk4"):
-        simulate(model, motion=motion, duration=0.1, time_step=1e-3, method=method)  # type: ignore[arg-type]
-    Simulation(model).initialize()
-    mark_warm()
-    return time.perf_counter() - begin
 
 
 def friction_in_statics(model: Model) -> dict[str, str]:

@@ -189,6 +189,19 @@ def _warn_of_pushing(built: Built) -> None:
     )
 
 
+def take_every_way(built: Built) -> None:
+    """Call every method of statics without an iteration, so that all of them are compiled."""
+    from moorage.solve.whole_jacobian import assemble_all  # noqa: PLC0415  SciPy's sparse matrices take 0.1 s
+
+    system, state, work = static_system(built.system), built.state, built.work
+    for method in (relax_island, descend_island, flow_island):
+        method(system, state, work, 0, 1.0, 1.0, 0)
+    imbalance(system, state, work, 0)
+    assemble_all(system, state, work, 0, np.zeros((len(state.position), 9)))
+    stick_island(system, state, state, work.load, 0, 0.0)
+    stick_where_it_is(system.lines, system.islands, state, 0)
+
+
 def static_system(system: System) -> System:
     """Return a system without waves, whose friction is that of statics: none, or what holds it where it was laid."""
     friction = system.friction

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from moorage._jit import inlined, kernel, part
+from moorage._jit import inlined, part
 from moorage._vec3 import accumulate, get, sub
 from moorage.physics.motion import follow
 from moorage.physics.winch import (
