@@ -35,10 +35,12 @@ from moorage.model.event_checks import (
     events_name_what_exists,
     failures_are_possible,
     failures_that_never_come,
+    loads_that_move_nothing,
     winches_are_possible,
 )
 from moorage.model.inertia import lendings, objects_have_inertia
 from moorage.model.model import Model
+from moorage.model.ropes import rope_tensions_are_possible
 from moorage.model.seabed import below_seabed
 from moorage.model.turbines import (
     listed_turbines_exist,
@@ -84,7 +86,8 @@ def suspicious(model: Model) -> list[Problem]:
     """Return what can be run but is hardly meant."""
     doubts = (
         pinned_junctions, folded_joints, weak_friction, points_off_the_grid, anchors_over_the_bed, steep_waves,
-        doubtful_current, doubtful_directions, turbines_at_one_place, failures_that_never_come, lendings,
+        doubtful_current, doubtful_directions, turbines_at_one_place, failures_that_never_come, loads_that_move_nothing,
+        lendings,
     )  # fmt: skip
     model = placed(model)
     return [problem for doubt in doubts for problem in doubt(model)]
@@ -352,6 +355,7 @@ CHECKS: tuple[Check, ...] = (
     objects_are_possible,
     names_are_unique,
     sections_are_possible,
+    rope_tensions_are_possible,
     ends_exist,
     carriers_exist,
     listed_turbines_exist,

@@ -52,6 +52,21 @@ def events_name_what_exists(model: Model) -> Iterator[Problem]:
             yield Problem(message, described(model, load.target), load.source)
 
 
+def loads_that_move_nothing(model: Model) -> list[Problem]:
+    """Return doubts about loads on points and rods that are held by the ground, which nobody feels."""
+    held = {("point", point.id) for point in model.points if point.kind == "fixed" and point.body is None}
+    held |= {("rod", rod.id) for rod in model.rods if rod.kind == "fixed" and rod.body is None}
+    return [
+        Problem(
+            f"external load {load.id} is on {load.target} {load.target_id}, which is fixed: it has no effect",
+            "remove it, or name another object",
+            load.source,
+        )
+        for load in model.external_loads
+        if (load.target, load.target_id) in held
+    ]
+
+
 def failures_are_possible(model: Model) -> Iterator[Problem]:
     """A failure takes lines off at a time or tension that can come, and leaves nothing behind that nothing holds."""
     for failure in model.failures:
