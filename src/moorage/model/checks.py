@@ -50,9 +50,11 @@ from moorage.model.turbines import (
     turbines_have_places,
 )
 from moorage.model.water_checks import (
+    crowded_energy,
     current_is_possible,
     doubtful_current,
     doubtful_directions,
+    growing_profiles,
     steep_waves,
     waves_are_given_once,
     waves_are_possible,
@@ -86,8 +88,8 @@ def suspicious(model: Model) -> list[Problem]:
     """Return what can be run but is hardly meant."""
     doubts = (
         pinned_junctions, folded_joints, weak_friction, points_off_the_grid, anchors_over_the_bed, steep_waves,
-        doubtful_current, doubtful_directions, turbines_at_one_place, failures_that_never_come, loads_that_move_nothing,
-        lendings,
+        growing_profiles, crowded_energy, doubtful_current, doubtful_directions, turbines_at_one_place,
+        failures_that_never_come, loads_that_move_nothing, lendings,
     )  # fmt: skip
     model = placed(model)
     return [problem for doubt in doubts for problem in doubt(model)]

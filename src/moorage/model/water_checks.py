@@ -12,6 +12,11 @@ from moorage.model.current_grid import CurrentGrid
 from moorage.model.model import Model
 from moorage.model.waves import Waves
 
+GROWTH = 1.5  # of velocities to the crests that is worth a word
+LONELY = 0.5  # of the energy in one component that is worth a word
+LOST = 0.05  # of the energy
+REGULAR = ("regular", "stokes", "stream-function")
+
 
 def current_is_possible(model: Model) -> Iterator[Problem]:
     """Levels of the current increase, each with a velocity, and a grid of it reaches as far as the model."""
@@ -145,6 +150,49 @@ def _breaking(waves: Waves) -> list[Problem]:
         return []
     what = f"a wave of {height:.3g} m would break: it is {2.0 * np.pi / k:.3g} m long"
     return [Problem(what, f"it breaks at {highest:.3g} m (Miche)", waves.source)]
+
+
+def growing_profiles(model: Model) -> list[Problem]:
+    """Return a doubt about a sea whose profiles go on to the crests, where the shortest waves take over.
+
+    Unstretched, a component grows by exp(k z) above the still water; the spread of the velocity (its rms) is looked at
+    as high as the highest crests of some hours, which is Hs. Steep regular waves are made to go on so.
+    """
+    waves = model.environment.waves
+    if waves is None or waves.is_regular or waves.stretching != "none":
+        return []
+    height, k = waves.significant_height, waves.wavenumber
+    still = np.square(waves.elevations * np.array(waves.frequency) / np.tanh(k * waves.depth))
+    with np.errstate(over="ignore"):
+        growth = float(np.sqrt((still * np.exp(2.0 * k * height)).sum() / still.sum()))
+    if growth <= GROWTH:
+        return []
+    what = f"without stretching velocities at crests of {height:.3g} m are {growth:.3g} times those at the still water"
+    remedy = (
+        "write stretching: wheeler, vertical or linear; short waves ride on the long ones, they are no part of them"
+    )
+    return [Problem(what, remedy, waves.source)]
+
+
+def crowded_energy(model: Model) -> list[Problem]:
+    """Return doubts about a spectrum that its components do not stand for: a lone one, or energy left outside."""
+    waves = model.environment.waves
+    asked = dict(waves.asked) if waves else {}
+    if waves is None or "height" not in asked or asked.get("spectrum") in REGULAR:
+        return []
+    energy, doubts, count = np.square(waves.elevations), [], len(waves.frequency)
+    share, m0 = float(energy.max() / energy.sum()), float(0.5 * energy.sum())
+    if share > LONELY:
+        what = f"one of the {count} components of the sea" if count > 1 else "the only component of the sea"
+        what = f"{what} has {share:.2g} of its energy (m0), at {2.0 * np.pi / waves.frequency[energy.argmax()]:.3g} s"
+        doubts.append(Problem(what, "give more components (200 by default), or spectrum: regular", waves.source, count))
+    asked_m0 = float(asked["height"]) ** 2 / 16.0
+    lost = 1.0 - m0 / asked_m0
+    if asked.get("spectrum") != "a function" and lost > LOST:
+        what = f"{lost:.2g} of the energy of the spectrum (m0) is lost: Hs {waves.significant_height:.3g} m instead of "
+        what += f"{asked['height']:.3g} m; components are cut where they begin and end, from 0.5 to 3.5 of the peak"
+        doubts.append(Problem(what, "give a table of the spectrum (density) over all of it", waves.source))
+    return doubts
 
 
 def doubtful_current(model: Model) -> list[Problem]:
