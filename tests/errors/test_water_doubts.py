@@ -29,7 +29,10 @@ WRONG = {
     "not a number": ({"waves": sea(amplitude=(float("nan"),))}, "a value of the waves is not finite"),
     "no gravity": ({"waves": sea(gravity=0.0)}, "waves need gravity"),
     "negative ramp": ({"waves": sea(ramp=-1.0)}, "ramp of the waves must not be negative"),
-    "two components": ({"current": Current((-60.0, 0.0), ((0.0, 0.0, 0.0), (0.5, 0.1)))}, "has not three components"),
+    "two components": (
+        {"current": Current((-60.0, 0.0), ((0.0, 0.0, 0.0), (0.5, 0.1)))},
+        "velocity of current of environment is not a list, each 3 of them, each a number",
+    ),
 }
 
 

@@ -19,7 +19,7 @@ from moorage.io.schema import SCHEMA
 from moorage.io.sea_state import components, sea_state, tabled
 from moorage.io.text import Findings, read_text
 from moorage.io.wave_spectra import sea_of_file
-from moorage.io.yaml_nodes import NodeReader, Values
+from moorage.io.yaml_nodes import NodeReader, Values, tagged
 from moorage.model import (
     BendStiffener,
     Body,
@@ -70,6 +70,9 @@ def _load(text: str, path: Path, found: Findings) -> Values | None:
         source = Source(str(path), mark.line + 1 if mark else 0)
         reason = getattr(error, "problem", None) or str(error).split("\n")[0] or type(error).__name__
         raise ModelError(Problem(f"not a YAML file: {reason}", "correct the text", source)) from None
+    if (odd := tagged(node)) is not None:
+        source = Source(str(path), odd.start_mark.line + 1)
+        raise ModelError(Problem("a tag means nothing here", "remove it, write the value alone", source, odd.tag))
     if node is None:
         raise ModelError(Problem("model file is empty", "write a model", Source(str(path))))
     values = NodeReader(str(path), path.parent, found).read_object(node, "model", "the model")

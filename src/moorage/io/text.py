@@ -46,6 +46,8 @@ def read_text(path: Path, what: str, error: type[Exception] = ModelError, source
         raise error(Problem(f"{what} {path} cannot be read: {why}", "give a readable file", place)) from None
     if not data.strip():
         raise error(Problem(f"{what} {path} is empty", "give a file with content", place))
+    if data[:2] in (b"\xff\xfe", b"\xfe\xff"):
+        raise error(Problem(f"{what} {path} is in UTF-16", "save it as UTF-8", place))
     if _is_binary(data):
         raise error(Problem(f"{what} {path} is not a text file", "give a text file", place))
     try:

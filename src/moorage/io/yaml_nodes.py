@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import difflib
+import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -159,6 +160,8 @@ class NodeReader:
         if not isinstance(node, yaml.MappingNode):
             self._refuse(node, f"{what} is not a set of names", "write name: value")
             return ()
+        if len({str(k.value) for k, _ in node.value}) < len(node.value):
+            self._refuse(node, f"a key of {what} is given twice", "remove one")
         return tuple((str(k.value), self._text(v, what)) for k, v in node.value)
 
     def _curve(self, node: yaml.Node, what: str) -> float | Curve:
@@ -166,6 +169,9 @@ class NodeReader:
         if not isinstance(node, yaml.MappingNode):
             return self._number(node, what)
         parts = {str(k.value): v for k, v in node.value}
+        if len(parts) < len(node.value):
+            self._refuse(node, f"a key of {what} is given twice", "remove one", [str(k.value) for k, _ in node.value])
+            return 0.0
         if parts.keys() == {"file"}:
             return read_curve(self.folder, self._text(parts["file"], what), what, self.found, self.source(node))
         if parts.keys() != {"x", "y"}:
@@ -188,3 +194,21 @@ def _id(node: yaml.Node) -> str:
             if key.value in ("id", "channel"):
                 return f" ({key.value} {value.value})"
     return ""
+
+
+def tagged(node: yaml.Node | None) -> yaml.Node | None:
+    """Return the first node with a tag of a kind that YAML does not have itself, such as !!python/tuple."""
+    seen: set[int] = set()
+    left = [node] if node is not None else []
+    while left:
+        here = left.pop(0)
+        if id(here) in seen:
+            continue
+        seen.add(id(here))
+        if not re.fullmatch(r"tag:yaml\.org,2002:[a-z]+", here.tag):
+            return here
+        if isinstance(here, yaml.MappingNode):
+            left += [part for pair in here.value for part in pair]
+        elif isinstance(here, yaml.SequenceNode):
+            left += here.value
+    return None

@@ -6,6 +6,7 @@ import dataclasses
 from collections.abc import Callable, Iterator
 from itertools import pairwise
 from math import isfinite
+from numbers import Real
 
 from moorage.errors import ModelError, Problem, Source
 from moorage.model.bed_checks import (
@@ -40,6 +41,7 @@ from moorage.model.event_checks import (
 )
 from moorage.model.inertia import lendings, objects_have_inertia
 from moorage.model.model import Model
+from moorage.model.odd_values import below_the_bed, odd_bodies, odd_types, odd_water, short_lines
 from moorage.model.ropes import rope_tensions_are_possible
 from moorage.model.seabed import below_seabed
 from moorage.model.turbines import (
@@ -49,6 +51,7 @@ from moorage.model.turbines import (
     turbines_carry_what_is_coupled,
     turbines_have_places,
 )
+from moorage.model.type_checks import values_have_types
 from moorage.model.water_checks import (
     crowded_energy,
     current_is_possible,
@@ -60,8 +63,10 @@ from moorage.model.water_checks import (
     waves_are_possible,
 )
 
+REMEDY = {"name": "rename one; case does not count", "channel": "list all its lines in one control"}
 Check = Callable[[Model], Iterator[Problem]]
 
+MOST_SEGMENTS = 100_000
 OWN_CHECK = Source | Bathymetry | CurrentGrid | FrictionMap | StiffnessMap  # grids are looked through elsewhere
 
 
@@ -74,6 +79,8 @@ def check(model: Model) -> None:
 
 def problems_of(model: Model) -> list[Problem]:
     """Return everything that is wrong with a model; what names others is not judged until the names are right."""
+    if wrong := list(values_have_types(model)):
+        return wrong  # nothing can be said of values that are none
     left_out = REFERRING if any(names_are_unique(model)) else ()
     model = placed(model)
     return [problem for function in CHECKS if function not in left_out for problem in function(model)]
@@ -89,7 +96,8 @@ def suspicious(model: Model) -> list[Problem]:
     doubts = (
         pinned_junctions, folded_joints, weak_friction, points_off_the_grid, anchors_over_the_bed, steep_waves,
         growing_profiles, crowded_energy, doubtful_current, doubtful_directions, turbines_at_one_place,
-        failures_that_never_come, loads_that_move_nothing, lendings,
+        failures_that_never_come, loads_that_move_nothing, lendings, odd_types, odd_bodies, odd_water, short_lines,
+        below_the_bed,
     )  # fmt: skip
     model = placed(model)
     return [problem for doubt in doubts for problem in doubt(model)]
@@ -122,10 +130,10 @@ def numbers_are_finite(model: Model) -> Iterator[Problem]:
 
 
 def _floats(thing: object, field: str = "") -> Iterator[tuple[str, float]]:
-    if isinstance(thing, float):
-        yield field, thing
-    elif isinstance(thing, tuple):
-        for item in thing:
+    if isinstance(thing, Real):
+        yield field, float(thing)
+    elif isinstance(thing, list | tuple) or type(thing).__name__ == "ndarray":
+        for item in thing:  # type: ignore[attr-defined]
             yield from _floats(item, field)
     elif dataclasses.is_dataclass(thing) and not isinstance(thing, OWN_CHECK):
         for part in dataclasses.fields(thing):
@@ -140,8 +148,8 @@ def _signs(thing: object, name: str, source: Source | None, positive: str, not_n
     ):
         for field in fields.split():
             value = getattr(thing, field)
-            values = [v for _, v in _floats(value)] if isinstance(value, tuple) else [value]
-            if any(isinstance(v, int | float) and fails(v) for v in values):
+            values = [value] if isinstance(value, Curve) else [v for _, v in _floats(value)]
+            if any(isinstance(v, Real) and fails(v) for v in values):
                 yield Problem(f"{field.replace('_', ' ')} of {name} {word}", "correct the value", source, value)
 
 
@@ -168,6 +176,9 @@ def line_types_are_possible(model: Model) -> Iterator[Problem]:
         strong = "diameter" if line_type.syrope else "diameter axial_stiffness"
         yield from _signs(line_type, name, line_type.source, strong, weak)
         yield from _curves(line_type)
+        if line_type.axial_damping_ratio is not None and line_type.axial_damping:
+            remedy = "remove one of them: the ratio would count"
+            yield Problem(f"{name} has an axial damping and its ratio", remedy, line_type.source)
 
 
 def _curves(line_type: LineType) -> Iterator[Problem]:
@@ -212,12 +223,10 @@ def objects_are_possible(model: Model) -> Iterator[Problem]:
     for body in model.bodies:
         weak = "mass inertia volume drag_area added_mass"
         yield from _signs(body, f"body {body.id}", body.source, "", weak)
-        for names, count in (("position rotation centre_of_gravity inertia", 3), ("drag_area added_mass", 6)):
-            yield from _counts(body, f"body {body.id}", names, (count,))
+        yield from _counts(body, f"body {body.id}", "drag_area added_mass", (6,))
     for load in model.external_loads:
         weak = "linear_damping quadratic_damping"
         yield from _signs(load, f"external load {load.id}", load.source, "", weak)
-        yield from _counts(load, f"external load {load.id}", "force", (3,))
         yield from _counts(load, f"external load {load.id}", weak, (1, 2, 3) if load.target == "rod" else (1, 3))
 
 
@@ -242,6 +251,8 @@ def names_are_unique(model: Model) -> Iterator[Problem]:
         ("body", model.bodies, "id"),
         ("turbine", model.turbines, "id"),
         ("failure", model.failures, "id"),
+        ("control channel", model.controls, "channel"),
+        ("external load", model.external_loads, "id"),
     ):
         seen: dict[object, object] = {}
         for thing in things:
@@ -251,7 +262,7 @@ def names_are_unique(model: Model) -> Iterator[Problem]:
                 yield Problem(f"number of a {kind} must be positive", "count from 1", source, key)
             if key in seen:
                 first = f" (first: {seen[key]})" if seen[key] else ""
-                remedy = "give each its own" if attribute == "id" else "rename one; case does not count"
+                remedy = REMEDY.get(attribute, "give each its own")
                 yield Problem(f"{kind} {key} is described twice{first}", remedy, source, key)
             seen.setdefault(key, source)
 
@@ -273,6 +284,9 @@ def sections_are_possible(model: Model) -> Iterator[Problem]:
             if section.segments < 1:
                 message = f"number of segments of line {line.id} must be at least 1"
                 yield Problem(message, "correct it", source, section.segments)
+            if section.segments > MOST_SEGMENTS:
+                message = f"line {line.id} has more than {MOST_SEGMENTS} segments"
+                yield Problem(message, "give fewer: some hundreds are fine", source, section.segments)
 
 
 def ends_exist(model: Model) -> Iterator[Problem]:

@@ -15,6 +15,8 @@ from moorage.model.waves import Waves
 GROWTH = 1.5  # of velocities to the crests that is worth a word
 LONELY = 0.5  # of the energy in one component that is worth a word
 LOST = 0.05  # of the energy
+FASTEST = 10.0  # m/s of a current; the fastest tidal streams
+SHARPEST = 10.0  # gamma, of the narrowest swell
 REGULAR = ("regular", "stokes", "stream-function")
 
 
@@ -26,8 +28,6 @@ def current_is_possible(model: Model) -> Iterator[Problem]:
         return
     if len(current.z) != len(current.velocity) or not current.z:
         yield Problem("current has not one velocity for each level", "give both for each level", current.source)
-    if any(len(v) != 3 for v in current.velocity):
-        yield Problem("a velocity of the current has not three components", "give x, y and z", current.source)
     if any(b <= a for a, b in pairwise(current.z)):
         yield Problem("levels of the current do not increase", "sort them, each once", current.source, current.z)
 
@@ -119,7 +119,7 @@ def waves_are_possible(model: Model) -> Iterator[Problem]:
 
 
 def steep_waves(model: Model) -> list[Problem]:
-    """Return a doubt about a sea that is steeper than seas are.
+    """Return doubts about a sea that is steeper, or more peaked, than seas are.
 
     2 pi Hs / (g Tp^2) is at most 1/15 for Tp up to 8 s and 1/25 from 15 s on, linear between (DNV-RP-C205); a
     regular wave breaks at 0.142 of its length times tanh(k d) (Miche).
@@ -132,15 +132,19 @@ def steep_waves(model: Model) -> list[Problem]:
             return []  # a steep theory has looked at that
         return _breaking(waves)
     asked = dict(waves.asked)
+    peak, doubts = asked.get("gamma", 1.0), []
+    if isinstance(peak, float | int) and not 1.0 <= peak <= SHARPEST:
+        what = f"gamma of the sea is {peak:.3g}; seas have 1 to 7"
+        doubts.append(Problem(what, "correct it, or leave it out", waves.source))
     height, period = asked.get("height", waves.significant_height), asked.get("period", waves.peak_period)
     assert isinstance(height, float | int)
     assert isinstance(period, float | int)
     limit = float(np.interp(period, [8.0, 15.0], [1.0 / 15.0, 1.0 / 25.0]))
     highest = limit * waves.gravity * period**2 / (2.0 * np.pi)
     if height <= highest:
-        return []
+        return doubts
     what = f"a sea of Hs {height:.3g} m and Tp {period:.3g} s is steeper than seas are"
-    return [Problem(what, f"Hs is at most {highest:.3g} m there (DNV-RP-C205)", waves.source)]
+    return [*doubts, Problem(what, f"Hs is at most {highest:.3g} m there (DNV-RP-C205)", waves.source)]
 
 
 def _breaking(waves: Waves) -> list[Problem]:
@@ -199,6 +203,9 @@ def doubtful_current(model: Model) -> list[Problem]:
     """Return doubts about levels above the water, and about a grid that begins late or stops short in depth."""
     current = model.environment.current
     doubts = []
+    fastest = float(np.abs(np.asarray(current.velocity, float)).max(initial=0.0))
+    if fastest > FASTEST:
+        doubts.append(Problem(f"the current runs at {fastest:.3g} m/s", "give m/s", current.source))
     if max(current.z, default=0.0) > 0.0:
         what = f"the current has a level {max(current.z):g} m above the water"
         doubts.append(Problem(what, "levels are z: negative below the water", current.source))
