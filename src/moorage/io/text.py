@@ -11,7 +11,7 @@ from pathlib import Path
 from moorage.errors import ModelError, Problem, Source
 
 COMMENT = re.compile(r"[#!%].*")
-NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eEdD][+-]?\d+)?")
+NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eEdD][+-]?\d+)?", re.ASCII)
 QUOTED_OR_WORD = re.compile(r"\"([^\"]*)\"|'([^']*)'|(\S+)")
 
 

@@ -38,7 +38,9 @@ class NodeReader:
         before = len(self.found.problems)
         for key_node, value_node in node.value:
             key = str(key_node.value)
-            if key not in keys:
+            if not isinstance(key_node, yaml.ScalarNode):
+                self._refuse(key_node, f"a key of {what} is not a word", f"use {', '.join(keys)}")
+            elif key not in keys:
                 near = difflib.get_close_matches(key, keys, n=1)
                 remedy = f"did you mean {near[0]}?" if near else f"use {', '.join(keys)}"
                 self._refuse(key_node, f"key of {what} is not known", remedy, key)

@@ -41,7 +41,15 @@ from moorage.model.event_checks import (
 )
 from moorage.model.inertia import lendings, objects_have_inertia
 from moorage.model.model import Model
-from moorage.model.odd_values import below_the_bed, odd_bodies, odd_types, odd_water, short_lines
+from moorage.model.odd_values import (
+    below_the_bed,
+    nothing_there,
+    odd_bodies,
+    odd_letters,
+    odd_types,
+    odd_water,
+    short_lines,
+)
 from moorage.model.ropes import rope_tensions_are_possible
 from moorage.model.seabed import below_seabed
 from moorage.model.turbines import (
@@ -97,7 +105,7 @@ def suspicious(model: Model) -> list[Problem]:
         pinned_junctions, folded_joints, weak_friction, points_off_the_grid, anchors_over_the_bed, steep_waves,
         growing_profiles, crowded_energy, doubtful_current, doubtful_directions, turbines_at_one_place,
         failures_that_never_come, loads_that_move_nothing, lendings, odd_types, odd_bodies, odd_water, short_lines,
-        below_the_bed,
+        below_the_bed, odd_letters, nothing_there,
     )  # fmt: skip
     model = placed(model)
     return [problem for doubt in doubts for problem in doubt(model)]
@@ -259,7 +267,8 @@ def names_are_unique(model: Model) -> Iterator[Problem]:
             key, source = getattr(thing, attribute), getattr(thing, "source", None)
             key = key.lower() if isinstance(key, str) else key
             if isinstance(key, int) and key < 1:
-                yield Problem(f"number of a {kind} must be positive", "count from 1", source, key)
+                article = "an" if kind[0] in "aeio" else "a"
+                yield Problem(f"number of {article} {kind} must be positive", "count from 1", source, key)
             if key in seen:
                 first = f" (first: {seen[key]})" if seen[key] else ""
                 remedy = REMEDY.get(attribute, "give each its own")

@@ -6,12 +6,14 @@ from collections.abc import Iterator
 from math import dist, pi
 from typing import Any
 
-from moorage.errors import Problem
+from moorage.errors import Problem, Source
 from moorage.model.components import Curve, Line
 from moorage.model.model import Model
 
 TONNES = (0.95, 1.1)  # densities of water in t/m3
 LONGEST = 2.0  # distance of the ends over the unstretched length; ropes of nylon break at 1.5
+LINE_LETTERS = "pvUDbVKtcsdWl"  # of MoorDyn-C and MoorDyn-F
+ROD_LETTERS = "pvfUBDIPbWAaXY"
 DEEP = 1.0  # m below the seabed that is no sinking in
 
 
@@ -85,3 +87,21 @@ def below_the_bed(model: Model) -> Iterator[Problem]:
         if z < -depth - DEEP:
             what = f"{kind} {thing.id} is {-depth - z:.4g} m below the seabed, where the water is {depth:.6g} m deep"
             yield Problem(what, "correct z: it is negative below the water", thing.source, z)
+
+
+def odd_letters(model: Model) -> Iterator[Problem]:
+    """Yield lines and rods whose outputs have letters that ask for nothing."""
+    for kind, things, letters in (("line", model.lines, LINE_LETTERS), ("rod", model.rods, ROD_LETTERS)):
+        for thing in things:  # type: ignore[attr-defined]
+            strange = "".join(letter for letter in thing.outputs if letter not in letters)
+            if strange:
+                what = f"outputs of {kind} {thing.id} have letters that ask for nothing: {strange}"
+                yield Problem(what, f"use some of {letters}, or -", thing.source, thing.outputs)
+
+
+def nothing_there(model: Model) -> list[Problem]:
+    """Return a doubt about a model in which nothing can move or pull."""
+    if model.lines or model.rods or model.bodies or any(point.kind == "free" for point in model.points):
+        return []
+    source = Source(model.file) if model.file else None
+    return [Problem("the model has no lines, rods or bodies", "describe what it is made of", source)]
