@@ -119,7 +119,7 @@ DOUBTED = {
         r"model.yaml:12: rotation of body 1 is more than a turn",
     ),
     "no body": ("1e5, 1e5, 1e5", "1e5, 1e5, 1e9", r"model.yaml:12: inertia of body 1 is that of no body"),
-    "t/m3": ("line_types:", "  water_density: 1.025\nline_types:", r"model.yaml:3: water is as light as air"),
+    "t/m3": ("line_types:", "  water_density: 1.025\nline_types:", r"model.yaml:4: water is as light as air"),
     "a short line": ("830", "83", r"model.yaml:10: line 1 is 83 m long, and its ends are 782.4 m apart"),
     "a depth": ("-40, 0, -14", "-40, 0, -500", r"model.yaml:8: point 2 is 300 m below the seabed"),
     "a deep body": ("0, 0, -50", "0, 0, -250", r"model.yaml:12: body 1 is 50 m below the seabed"),

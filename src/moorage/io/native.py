@@ -106,7 +106,7 @@ def _model(values: Values, folder: Path, found: Findings) -> Model:
         start=values.get("start", "static"),
         output_interval=values.get("output_interval"),
         title=values.get("title", ""),
-        sources=tuple((name, values["environment"]["source"]) for name in SCHEMA["environment"]),
+        sources=tuple((values["places"] | values["environment"]["places"]).items()),
     )
 
 
@@ -128,7 +128,7 @@ def _environment(values: Values, folder: Path, found: Findings) -> Environment:
     made = {
         key: parts[key](**value) if key in parts and isinstance(value, dict) else value
         for key, value in values.items()
-        if key != "source"
+        if key not in ("source", "places")
     }
     return Environment(**made)
 

@@ -17,6 +17,7 @@ from moorage.io.text import Findings
 from moorage.model import Curve
 
 Values = dict[str, Any]
+PLACED = ("model", "environment")
 
 
 class NodeReader:
@@ -30,11 +31,16 @@ class NodeReader:
         return Source(self.file, node.start_mark.line + 1)
 
     def read_object(self, node: yaml.Node, name: str, what: str) -> Values | None:
-        """Return the values of an object of the schema, with its source; None when it cannot be made."""
+        """Return the values of an object of the schema, with its source; None when it cannot be made.
+
+        Those that are no components have `places` beside, the source of each key.
+        """
         if not isinstance(node, yaml.MappingNode):
             self._refuse(node, f"{what} is not an object", f"write keys such as {', '.join(list(SCHEMA[name])[:3])}")
             return None
-        keys, values = SCHEMA[name], {"source": self.source(node)}
+        keys = SCHEMA[name]
+        values: Values = {"source": self.source(node)}
+        places: dict[str, Source] = {}
         before = len(self.found.problems)
         for key_node, value_node in node.value:
             key = str(key_node.value)
@@ -48,9 +54,12 @@ class NodeReader:
                 self._refuse(key_node, f"key {key} of {what} is given twice", "remove one")
             else:
                 values[key] = self.value(value_node, keys[key], f"{key} of {what}")
+                places[key] = self.source(key_node)
         for key, entry in keys.items():
             if entry.required and key not in values:
                 self._refuse(node, f"{key} of {what} is missing", f"add {key} ({entry.text}, {entry.unit})")
+        if name in PLACED:
+            values["places"] = places
         return values if len(self.found.problems) == before else None
 
     def value(self, node: yaml.Node, key: Key, what: str) -> Any:
