@@ -377,7 +377,7 @@ def as_markdown() -> str:
         "",
         "What is not required has a default. A *curve* is a number, `{x: [...], y: [...]}`, or `{file: name}` with two",
         "columns; the z of a *position* may be the word `seabed`; an *end* is a point's number or name, or `rod 1 A`.",
-        "An *owner* is a turbine's number or name.",
+        "An *owner* is a turbine's number or name. A number means the thing of that number; a name that two have calls neither.",
         "A *bathymetry* with the key `file` is a *bathymetry file*: a raster, see [the seabed](seabed.md); so are a",
         "*friction map* with the key `axial_file` and a *stiffness map* with the key `file`;",
         "*waves* with the key `spectrum` are a *sea state*, with `density` a *spectrum table*, with `file` a *wave",
