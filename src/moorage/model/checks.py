@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-import dataclasses
 from collections.abc import Callable, Iterator
-from itertools import pairwise
 from math import isfinite
-from numbers import Real
 
 from moorage.errors import ModelError, Problem, Source
 from moorage.model.bed_checks import (
@@ -27,9 +24,7 @@ from moorage.model.cables import (
     springs_are_possible,
     stiffeners_fit,
 )
-from moorage.model.components import Body, Curve, ExternalLoad, LineType
-from moorage.model.current_grid import CurrentGrid
-from moorage.model.environment import Bathymetry, FrictionMap, StiffnessMap
+from moorage.model.components import Body, ExternalLoad
 from moorage.model.event_checks import (
     channels_exist,
     described,
@@ -40,6 +35,7 @@ from moorage.model.event_checks import (
     winches_are_possible,
 )
 from moorage.model.inertia import lendings, objects_have_inertia
+from moorage.model.line_type_checks import line_types_are_possible
 from moorage.model.model import Model
 from moorage.model.odd_values import (
     below_the_bed,
@@ -52,6 +48,7 @@ from moorage.model.odd_values import (
 )
 from moorage.model.ropes import rope_tensions_are_possible
 from moorage.model.seabed import below_seabed
+from moorage.model.signs import floats_of, wrong_signs
 from moorage.model.turbines import (
     listed_turbines_exist,
     placed,
@@ -75,7 +72,6 @@ REMEDY = {"name": "rename one; case does not count", "channel": "list all its li
 Check = Callable[[Model], Iterator[Problem]]
 
 MOST_SEGMENTS = 100_000
-OWN_CHECK = Source | Bathymetry | CurrentGrid | FrictionMap | StiffnessMap  # grids are looked through elsewhere
 
 
 def check(model: Model) -> None:
@@ -132,109 +128,41 @@ def _named(model: Model) -> Iterator[tuple[str, object, Source | None]]:
 def numbers_are_finite(model: Model) -> Iterator[Problem]:
     """No value is nan or infinite."""
     for name, thing, source in _named(model):
-        for field, value in _floats(thing):
+        for field, value in floats_of(thing):
             if not isfinite(value):
                 yield Problem(f"{field.replace('_', ' ')} of {name} is not finite", "give a number", source, value)
-
-
-def _floats(thing: object, field: str = "") -> Iterator[tuple[str, float]]:
-    if isinstance(thing, Real):
-        yield field, float(thing)
-    elif isinstance(thing, list | tuple) or type(thing).__name__ == "ndarray":
-        for item in thing:  # type: ignore[attr-defined]
-            yield from _floats(item, field)
-    elif dataclasses.is_dataclass(thing) and not isinstance(thing, OWN_CHECK):
-        for part in dataclasses.fields(thing):
-            yield from _floats(getattr(thing, part.name), part.name)
-
-
-def _signs(thing: object, name: str, source: Source | None, positive: str, not_negative: str) -> Iterator[Problem]:
-    """Yield the fields (listed with blanks between) that are not positive, or negative; nan is another check's."""
-    for fields, fails, word in (
-        (positive, lambda v: v <= 0.0, "must be positive"),
-        (not_negative, lambda v: v < 0.0, "must not be negative"),
-    ):
-        for field in fields.split():
-            value = getattr(thing, field)
-            values = [value] if isinstance(value, Curve) else [v for _, v in _floats(value)]
-            if any(isinstance(v, Real) and fails(v) for v in values):
-                yield Problem(f"{field.replace('_', ' ')} of {name} {word}", "correct the value", source, value)
 
 
 def environment_is_possible(model: Model) -> Iterator[Problem]:
     """Depth is positive; gravity, density and seabed are not negative."""
     name, environment = "the environment", model.environment
-    yield from _signs(environment, name, model.source_of("water_depth"), "water_depth", "")
+    yield from wrong_signs(environment, name, model.source_of("water_depth"), "water_depth", "")
     for field in ("gravity", "water_density", "seabed_stiffness", "seabed_damping"):
-        yield from _signs(environment, name, model.source_of(field), "", field)
+        yield from wrong_signs(environment, name, model.source_of(field), "", field)
     if model.output_interval is not None and model.output_interval <= 0.0:
         source = model.source_of("output_interval")
         yield Problem("output interval must be positive", "correct it", source, model.output_interval)
-
-
-def line_types_are_possible(model: Model) -> Iterator[Problem]:
-    """Diameter and EA are positive, all else is not negative."""
-    weak = (
-        "mass_per_length axial_damping bending_stiffness bending_damping transverse_drag tangential_drag "
-        "transverse_added_mass tangential_added_mass lift_coefficient viv_range viv_centre viscoelastic "
-        "dynamic_damping axial_damping_ratio minimum_bend_radius minimum_breaking_load"
-    )
-    for line_type in model.line_types:
-        name = f"line type {line_type.name}"
-        strong = "diameter" if line_type.syrope else "diameter axial_stiffness"
-        yield from _signs(line_type, name, line_type.source, strong, weak)
-        yield from _curves(line_type)
-        if line_type.axial_damping_ratio is not None and line_type.axial_damping:
-            remedy = "remove one of them: the ratio would count"
-            yield Problem(f"{name} has an axial damping and its ratio", remedy, line_type.source)
-
-
-def _curves(line_type: LineType) -> Iterator[Problem]:
-    for field in ("axial_stiffness", "axial_damping", "bending_stiffness"):
-        curve = getattr(line_type, field)
-        if not isinstance(curve, Curve):
-            continue
-        what = f"table {curve.file or ''} of {field.replace('_', ' ')} of line type {line_type.name}".replace("  ", " ")
-        if len(curve.x) < 2 or len(curve.x) != len(curve.y):
-            yield Problem(f"{what} has {len(curve.x)} and {len(curve.y)} values", "give two or more", line_type.source)
-        for k, (a, b) in enumerate(pairwise(curve.x)):
-            if b <= a:
-                remedy = f"the value after {a:g} must be larger"
-                yield Problem(f"{what} does not increase at row {k + 2}", remedy, line_type.source, b)
-        if field == "axial_stiffness" and any(b < a for a, b in pairwise(curve.y)):
-            yield Problem(f"{what} has falling tension", "give tensions that do not fall", line_type.source)
-        if field == "bending_stiffness" and not _is_zero_at_zero(curve):
-            remedy = "add the row 0 0: a straight line has no moment"
-            yield Problem(f"{what} does not start at 0, 0", remedy, line_type.source, (curve.x[:1], curve.y[:1]))
-        if field == "bending_stiffness" and any(b <= a for a, b in pairwise(curve.y)):
-            yield Problem(f"{what} has moments that do not increase", "give larger and larger ones", line_type.source)
-
-
-def _is_zero_at_zero(curve: Curve) -> bool:
-    """Return whether a curve starts at 0, 0, or goes through it; other checks tell rows that are none."""
-    rows = list(zip(curve.x, curve.y, strict=False))
-    return (0.0, 0.0) in rows and all(x >= 0.0 or y < 0.0 for x, y in rows)
 
 
 def rod_types_are_possible(model: Model) -> Iterator[Problem]:
     """Rods have a diameter; mass and coefficients are not negative."""
     weak = "mass_per_length transverse_drag transverse_added_mass end_drag end_added_mass"
     for rod_type in model.rod_types:
-        yield from _signs(rod_type, f"rod type {rod_type.name}", rod_type.source, "diameter", weak)
+        yield from wrong_signs(rod_type, f"rod type {rod_type.name}", rod_type.source, "diameter", weak)
 
 
 def objects_are_possible(model: Model) -> Iterator[Problem]:
     """Masses, volumes and coefficients of points and bodies are not negative."""
     for point in model.points:
         weak = "mass volume drag_area added_mass"
-        yield from _signs(point, f"point {point.id}", point.source, "", weak)
+        yield from wrong_signs(point, f"point {point.id}", point.source, "", weak)
     for body in model.bodies:
         weak = "mass inertia volume drag_area added_mass"
-        yield from _signs(body, f"body {body.id}", body.source, "", weak)
+        yield from wrong_signs(body, f"body {body.id}", body.source, "", weak)
         yield from _counts(body, f"body {body.id}", "drag_area added_mass", (6,))
     for load in model.external_loads:
         weak = "linear_damping quadratic_damping"
-        yield from _signs(load, f"external load {load.id}", load.source, "", weak)
+        yield from wrong_signs(load, f"external load {load.id}", load.source, "", weak)
         yield from _counts(load, f"external load {load.id}", weak, (1, 2, 3) if load.target == "rod" else (1, 3))
 
 
