@@ -41,7 +41,7 @@ def floating(
         rods=tuple(rods),
         rod_types=(types,) if isinstance(types, RodType) else tuple(types),
         line_types=(line_types,) if isinstance(line_types, LineType) else tuple(line_types),
-        **{name: tuple(part) for name, part in parts.items()},
+        **{name: part if isinstance(part, str) else tuple(part) for name, part in parts.items()},
     )
 
 

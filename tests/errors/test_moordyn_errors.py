@@ -167,6 +167,8 @@ CASES = {
     "damping of two": (load("1 Point1 0 1|2 0 -"), "Blin of load 1 has 2 values"),
     "negative damping": (load("1 Point1 0 -1 0 -"), "linear damping of external load 1 must not be negative"),
     "Syrope of no line": (syrope("7 1 1"), "SYROPE IC names line 7"),
+    "Syrope of no rope": (syrope("1 1 1"), r"model.dat:19: SYROPE IC names line 1, and no line type is a Syrope one"),
+    "Syrope twice": (syrope("1 2 1\n1 3 1"), r"model.dat:20: SYROPE IC names line 1 twice\n.*first: .*:19"),
     # options
     "unknown option": (option("3e6 kBto"), r"model.dat:18: option 'kBto' is not known .*\n.*did you mean kBot"),
     "strange option": (option("3e6 zzzzzz"), r"option 'zzzzzz' is not known .*\n.*or use one of g, rho"),
@@ -325,3 +327,26 @@ def test_missing_file_and_folder(tmp_path):
         read(tmp_path / "none.dat")
     with pytest.raises(ModelError, match="it is a folder"):
         read(tmp_path)
+
+
+ROPE_ROW = "rope  0.1  5  SYROPE:s.dat|1.5e8|23  5e10|1e5  0  2.0  0.8  0.4  0.25"
+ROPES = (
+    (TYPE_ROW, f"{TYPE_ROW}\n{ROPE_ROW}"),
+    (POINT_2, f"{POINT_2}\n3  Fixed  0  0  -200  0  0  0  0"),
+    (LINE, f"{LINE}\n2  rope  3  2  300  5  -"),
+)
+
+
+def test_tensions_of_another_line_than_a_rope_are_a_warning(deck, tmp_path):
+    """MoorDyn-C warns too, when another line type is a Syrope one."""
+    (tmp_path / "s.dat").write_text("owc.dat OWC\n")
+    with pytest.warns(ModelWarning, match=r"model.dat:22: SYROPE IC names line 1, whose line type is not a Syrope one"):
+        model = read(deck(*ROPES, syrope("1,2 2e5 1e5")))
+    assert [line.syrope_tensions for line in model.lines] == [None, (2e5, 1e5)]
+
+
+@pytest.mark.parametrize("tensions", ["1e5 2e5", "2e5 -1"])
+def test_tensions_of_a_rope_that_cannot_be(deck, tmp_path, tensions):
+    (tmp_path / "s.dat").write_text("owc.dat OWC\n")
+    with pytest.raises(ModelError, match="Syrope tensions of line 2 are not possible"):
+        read(deck(*ROPES, syrope(f"2 {tensions}")))

@@ -48,6 +48,13 @@ CASES = {
             ExternalLoad(id=1, target="rod", target_id=1, local=True, linear_damping=(1.0, 1.0, 2.0), source=AT),
         ),
     ),
+    "load 1: damping along a rod of no length is": lambda m: dataclasses.replace(
+        m,
+        rods=(Rod(id=1, rod_type="r", kind="coupled", end_a=PLACE[0], end_b=PLACE[1], segments=0, source=AT),),
+        external_loads=(
+            ExternalLoad(id=1, target="rod", target_id=1, local=True, linear_damping=(1.0, 2.0), source=AT),
+        ),
+    ),
     "damping along a rod that is fixed to a body is": lambda m: dataclasses.replace(
         m,
         rods=(Rod(id=1, rod_type="r", kind="fixed", body=1, end_a=PLACE[0], end_b=PLACE[1], segments=2, source=AT),),

@@ -29,7 +29,10 @@ WRONG = {
     "not a number": ({"waves": sea(amplitude=(float("nan"),))}, "a value of the waves is not finite"),
     "no gravity": ({"waves": sea(gravity=0.0)}, "waves need gravity"),
     "negative ramp": ({"waves": sea(ramp=-1.0)}, "ramp of the waves must not be negative"),
-    "two components": ({"current": Current((-60.0, 0.0), ((0.0, 0.0, 0.0), (0.5, 0.1)))}, "has not three components"),
+    "two components": (
+        {"current": Current((-60.0, 0.0), ((0.0, 0.0, 0.0), (0.5, 0.1)))},
+        "velocity of current of environment is not a list, each 3 of them, each a number",
+    ),
 }
 
 
@@ -41,7 +44,19 @@ def test_refused(name):
 
 
 GRID = {"x": (-99.0, 99.0), "velocity": np.full((1, 2, 1, 2, 3), 0.2)}
+WATER = {"height": 4.0, "period": 7.0, "depth": DEPTH}
+WIDE = {"depth": DEPTH, "shape": (0.5, 1.0)}
 DOUBTED = {
+    "unstretched": (
+        {"waves": Waves.irregular("jonswap", stretching="none", **WATER)},
+        "velocities at crests of 3.99 m are 6.5",
+    ),
+    "one component": ({"waves": Waves.irregular("jonswap", 4.0, 9.0, depth=DEPTH, components=1)}, "only component"),
+    "five components": (
+        {"waves": Waves.irregular("jonswap", 4.0, 9.0, depth=DEPTH, components=5, gamma=7.0)},
+        "one of the 5 components of the sea has 0.7 of its energy (m0), at ",
+    ),
+    "a wide spectrum": ({"waves": Waves.irregular("ochi-hubble", 4.0, 9.0, **WIDE)}, "0.08 of the energy of the spec"),
     "a wave that breaks": ({"waves": sea(amplitude=(100.0,))}, "a wave of 200 m would break"),
     "degrees": ({"waves": sea(direction=(180.0,))}, "has the direction 180 rad"),
     "depths": ({"current": Current((0.0, 60.0), ((0.0, 0.0, 0.0), (0.5, 0.1, 0.0)))}, "a level 60 m above the water"),

@@ -57,7 +57,7 @@ def line_types(draw, name):
         diameter=draw(LENGTHS),
         mass_per_length=draw(NOT_NEGATIVE),
         axial_stiffness=draw(POSITIVE | curves()),
-        axial_damping=0.0 if ratio else draw(NOT_NEGATIVE | curves()),
+        axial_damping=0.0 if ratio is not None else draw(NOT_NEGATIVE | curves()),
         axial_damping_ratio=ratio,
         bending_stiffness=draw(st.just(0.0) | POSITIVE | moment_curves()),
         transverse_drag=draw(NOT_NEGATIVE),

@@ -153,6 +153,41 @@ def test_saved_states_come_back_bit_for_bit(system, path, tmp_path):
         moordyn.Deserialize(system, b"nonsense")
 
 
+def test_a_limit_of_the_steps_stays_when_a_state_comes_back(system, path, tmp_path):
+    surge(system)
+    state, file = moordyn.Serialize(system), tmp_path / "state"
+    moordyn.SaveState(system, str(file))
+    for load in (lambda s: moordyn.Deserialize(s, state), lambda s: moordyn.LoadState(s, str(file))):
+        other = moordyn.Create(str(path))
+        moordyn.SetDt(other, 0.01)
+        assert moordyn.Init(other, start(other), [0.0] * 3) == 0
+        load(other)
+        assert moordyn.GetDt(other) == 0.01
+        assert other.host.march.clocks.step.max() <= 0.01
+
+
+def test_what_a_host_has_set_goes_with_a_state(system, path):
+    line, other = moordyn.GetLine(system, 1), moordyn.Create(str(path))
+    plain, given = moordyn.Serialize(system), moordyn.GetLineConstantEA(line)
+    moordyn.SetDt(system, 0.02)
+    moordyn.SetLineConstantEA(line, 5e8)
+    moordyn.SetLineUnstretchedLengthVel(line, 0.1)
+    surge(system)
+    state, forces = moordyn.Serialize(system), surge(system)
+    for fresh in (other, system):
+        if fresh is other:
+            assert moordyn.Init_NoIC(other, start(other), [0.0] * 3) == 0
+        moordyn.Deserialize(fresh, state)
+        assert moordyn.GetDt(fresh) == 0.02
+        assert moordyn.GetLineConstantEA(moordyn.GetLine(fresh, 1)) == 5e8
+        assert np.array_equal(surge(fresh), forces)
+    moordyn.Deserialize(system, plain)
+    assert moordyn.GetLineConstantEA(line) == given
+    length = moordyn.GetLineUnstretchedLength(line)
+    surge(system)
+    assert moordyn.GetLineUnstretchedLength(line) == length
+
+
 def test_states_in_moordyns_format(system, path, tmp_path):
     """Positions and velocities only: the run goes on within the error of the accelerations it begins without."""
     surge(system, 20)

@@ -65,6 +65,35 @@ def test_an_elevation_becomes_its_components(deck, tmp_path):
     assert np.allclose(waves.elevation(later), elevation(later), atol=1e-10)
 
 
+@pytest.mark.parametrize(
+    ("step", "interval", "period", "warning"),
+    [
+        (
+            0.25,
+            "2.5",
+            4.0,
+            r"1 of the energy of the waves \(m0\) is faster than dtWave 2.5 s can tell; give dtWave 1 s",
+        ),
+        (0.5, "0.5", 1.25, "0.99 of the energy of the waves .* is faster than 0.5 Hz and left out.*WaveKin 7"),
+        (2.0, "0.25", 6.0, r"0.5 of the energy .* is lost between the rows of the file, 2 s apart.*or dtWave 2 s"),
+    ],
+)
+def test_lost_energy_is_told(deck, tmp_path, step, interval, period, warning):
+    """Between rows h apart a linear elevation keeps (2 + cos w h) / 3 of the energy: half of it of 6 s at 2 s."""
+    time = step * np.arange(int(120.0 / step) + 1)
+    np.savetxt(tmp_path / "wave_elevation.txt", np.column_stack([time, np.cos(2 * np.pi / period * time)]))
+    with pytest.warns(ModelWarning, match=f"wave_elevation.txt: {warning}"):
+        waves_of(deck, "3 WaveKin", f"{interval} dtWave")
+
+
+def test_no_energy_is_lost_at_the_own_interval_of_a_file(deck, tmp_path):
+    elevation_file(tmp_path)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        for interval in ("0.25", "0.5", "1"):
+            waves_of(deck, "3 WaveKin", f"{interval} dtWave")
+
+
 def test_a_mean_level_is_left_out(deck, tmp_path):
     elevation = elevation_file(tmp_path, mean=0.5)
     with pytest.warns(ModelWarning, match=r"mean level of the waves, 0\.5 m, is left out"):

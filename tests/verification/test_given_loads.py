@@ -24,13 +24,11 @@ def load(id: int, target: str = "body", **values) -> ExternalLoad:
     return ExternalLoad(id=id, target=target, target_id=1, **values)  # type: ignore[arg-type]
 
 
-def moved(*loads: ExternalLoad, segments: int = 2):
+def moved(*loads: ExternalLoad, segments: int = 2, kind: str = "fixed"):
     """Way (3,), m, and angles (3,), rad, of the body at the end."""
     body = Body(id=1, kind="free", position=(0.0, 0.0, -20.0), rotation=(0.0, 0.0, np.pi / 2.0), mass=MASS,
                 inertia=(TURN, TURN, TURN))  # fmt: skip
-    rod = Rod(
-        id=1, kind="fixed", body=1, rod_type="rod", end_a=(0.5, 0.0, 0.0), end_b=(1.5, 0.0, 0.0), segments=segments
-    )
+    rod = Rod(id=1, kind=kind, body=1, rod_type="rod", end_a=(0.5, 0.0, 0.0), end_b=(1.5, 0.0, 0.0), segments=segments)
     model = Model(environment=SPACE, rod_types=(ROD,), rods=(rod,), bodies=(body,), external_loads=loads)
     run = moorage.simulate(model, duration=SECONDS, start="as-given", tolerance=1e-5)
     assert np.allclose(run["body_position"].values[0, 0], body.position)
@@ -65,23 +63,40 @@ def test_dampers_in_both_axes_add_up(order):
     np.testing.assert_allclose(way, [*x, 0.0], atol=1e-4)
 
 
-@pytest.mark.parametrize("segments", [0, 2])
-def test_a_load_on_a_rod_moves_the_body_that_carries_it(segments):
+@pytest.mark.parametrize(("segments", "kind"), [(0, "fixed"), (2, "fixed"), (0, "pinned")])
+def test_a_load_on_a_rod_moves_the_body_that_carries_it(segments, kind):
     """At end A, 0.5 m out along the global y axis: it moves along z by F, and rolls by F r / J about the global x axis."""
-    way, angles = moved(load(1, "rod", force=(0.0, 0.0, 20.0)), segments=segments)
+    way, angles = moved(load(1, "rod", force=(0.0, 0.0, 20.0)), segments=segments, kind=kind)
     check(way, [0.0, 0.0, 20.0])
     roll = 0.5 * 20.0 * 0.5 / TURN * SECONDS**2
     np.testing.assert_allclose(angles, [roll, 0.0, np.pi / 2.0], atol=1e-3 * roll)
 
 
-def test_a_load_on_a_rod_is_felt_by_the_host_of_its_body():
-    for target, pitch in (("rod", -10.0), ("body", 0.0)):
-        body = Body(id=1, kind="coupled", position=(0.0, 0.0, -20.0), mass=MASS, inertia=(TURN,) * 3)
-        rod = Rod(id=1, kind="fixed", body=1, rod_type="rod", end_a=(0.5, 0, 0), end_b=(1.5, 0, 0), segments=2)
-        pull = load(1, target, force=(0.0, 0.0, 20.0))
-        model = Model(environment=SPACE, rod_types=(ROD,), rods=(rod,), bodies=(body,), external_loads=(pull,))
-        force = moorage.Simulation(model).initialize()
-        np.testing.assert_allclose(force, [0.0, 0.0, 20.0, 0.0, pitch, 0.0], atol=1e-3)
+@pytest.mark.parametrize("segments", [0, 2])
+@pytest.mark.parametrize("kind", ["fixed", "pinned"])
+@pytest.mark.parametrize(("target", "pitch"), [("rod", -10.0), ("body", 0.0)])
+def test_a_load_on_a_rod_is_felt_by_the_host_of_its_body(segments, kind, target, pitch):
+    body = Body(id=1, kind="coupled", position=(0.0, 0.0, -20.0), mass=MASS, inertia=(TURN,) * 3)
+    rod = Rod(id=1, kind=kind, body=1, rod_type="rod", end_a=(0.5, 0, 0), end_b=(1.5, 0, 0), segments=segments)
+    pull = load(1, target, force=(0.0, 0.0, 20.0))
+    model = Model(environment=SPACE, rod_types=(ROD,), rods=(rod,), bodies=(body,), external_loads=(pull,))
+    force = moorage.Simulation(model).initialize()
+    np.testing.assert_allclose(force, [0.0, 0.0, 20.0, 0.0, pitch, 0.0], atol=1e-3)
+
+
+@pytest.mark.parametrize("segments", [0, 2])
+@pytest.mark.parametrize("kind", ["coupled", "coupled-pinned"])
+def test_a_load_on_a_coupled_rod_is_felt_by_its_host(segments, kind):
+    """F - c v - C v |v| for each axis, at rest and at a constant 2 m/s."""
+    rod = Rod(id=1, kind=kind, rod_type="rod", end_a=(0, 0, -20.0), end_b=(1.0, 0, -20.0), segments=segments)
+    damped = load(1, "rod", force=(0.0, 0.0, 20.0), linear_damping=(3.0,) * 3, quadratic_damping=(5.0,) * 3)
+    model = Model(environment=SPACE, rod_types=(ROD,), rods=(rod,), external_loads=(damped,))
+    sim = moorage.Simulation(model)
+    np.testing.assert_allclose(sim.initialize()[:3], [0.0, 0.0, 20.0], atol=1e-3)
+    rate = np.zeros(len(sim.position))
+    rate[1] = 2.0
+    begun = sim.initialize(velocity=rate)
+    np.testing.assert_allclose(begun[:3], [0.0, -(3.0 * 2.0 + 5.0 * 4.0), 20.0], atol=1e-3)
 
 
 LONG = RodType(name="long", diameter=0.1, mass_per_length=100.0)

@@ -13,14 +13,14 @@ from moorage.errors import ModelError, Problem, Source
 from moorage.io.current import current_grid, current_of, grid_as_plain
 from moorage.io.current_files import current_of_file
 from moorage.io.finish import checked
+from moorage.io.native_names import end_called, turbine_called
 from moorage.io.native_seabed import bathymetry_of, friction_map_of, stiffness_map_of
 from moorage.io.schema import SCHEMA
 from moorage.io.sea_state import components, sea_state, tabled
 from moorage.io.text import Findings, read_text
 from moorage.io.wave_spectra import sea_of_file
-from moorage.io.yaml_nodes import NodeReader, Values
+from moorage.io.yaml_nodes import NodeReader, Values, tagged
 from moorage.model import (
-    Attachment,
     BendStiffener,
     Body,
     BuoyancyModules,
@@ -70,6 +70,9 @@ def _load(text: str, path: Path, found: Findings) -> Values | None:
         source = Source(str(path), mark.line + 1 if mark else 0)
         reason = getattr(error, "problem", None) or str(error).split("\n")[0] or type(error).__name__
         raise ModelError(Problem(f"not a YAML file: {reason}", "correct the text", source)) from None
+    if (odd := tagged(node)) is not None:
+        source = Source(str(path), odd.start_mark.line + 1)
+        raise ModelError(Problem("a tag means nothing here", "remove it, write the value alone", source, odd.tag))
     if node is None:
         raise ModelError(Problem("model file is empty", "write a model", Source(str(path))))
     values = NodeReader(str(path), path.parent, found).read_object(node, "model", "the model")
@@ -82,20 +85,19 @@ def _model(values: Values, folder: Path, found: Findings) -> Model:
     turbines = tuple(Turbine(**entry) for entry in values.get("turbines", ()))
     for entry in (*values.get("points", ()), *values.get("rods", ()), *values.get("bodies", ())):
         if "turbine" in entry:
-            entry["turbine"] = _owner(entry["turbine"], turbines, found)
+            entry["turbine"] = turbine_called(entry["turbine"], turbines, found)
     points = tuple(_point(entry) for entry in values.get("points", ()))
-    ids = {point.name: point.id for point in points if point.name}
     return Model(
         environment=_environment(values["environment"], folder, found),
         line_types=tuple(LineType(name=name, **entry) for name, entry in values.get("line_types", {}).items()),
-        lines=tuple(_line(entry, ids, found) for entry in values.get("lines", ())),
+        lines=tuple(_line(entry, points, found) for entry in values.get("lines", ())),
         points=points,
         rod_types=tuple(RodType(name=name, **entry) for name, entry in values.get("rod_types", {}).items()),
         rods=tuple(Rod(**entry) for entry in values.get("rods", ())),
         bodies=tuple(Body(**entry) for entry in values.get("bodies", ())),
         turbines=turbines,
         failures=tuple(
-            Failure(**entry | {"attachment": _end(entry["attachment"], ids, found)})
+            Failure(**entry | {"attachment": end_called(entry["attachment"], points, found)})
             for entry in values.get("failures", ())
         ),
         controls=tuple(_control(entry, found) for entry in values.get("controls", ())),
@@ -104,7 +106,7 @@ def _model(values: Values, folder: Path, found: Findings) -> Model:
         start=values.get("start", "static"),
         output_interval=values.get("output_interval"),
         title=values.get("title", ""),
-        sources=tuple((name, values["environment"]["source"]) for name in SCHEMA["environment"]),
+        sources=tuple((values["places"] | values["environment"]["places"]).items()),
     )
 
 
@@ -126,7 +128,7 @@ def _environment(values: Values, folder: Path, found: Findings) -> Environment:
     made = {
         key: parts[key](**value) if key in parts and isinstance(value, dict) else value
         for key, value in values.items()
-        if key != "source"
+        if key not in ("source", "places")
     }
     return Environment(**made)
 
@@ -160,29 +162,15 @@ def _waves(values: Values, folder: Path, found: Findings) -> Waves | None:
     return components(asked, water, found)
 
 
-def _owner(value: tuple[str, Source], turbines: tuple[Turbine, ...], found: Findings) -> int:
-    """Return the number of a turbine that is called by its number or name."""
-    word, source = value
-    named = next((turbine.id for turbine in turbines if turbine.name == word), None)
-    if named is not None:
-        return named
-    if re.fullmatch(r"\d+", word):
-        return int(word)
-    known = ", ".join(turbine.name for turbine in turbines if turbine.name) or "no turbine has a name"
-    found.add("turbine is not known", f"write its number, or a name ({known})", source, word)
-    found.lost_rows = True
-    return 0
-
-
 def _point(values: Values) -> Point:
     position, on_seabed = values["position"]
     return Point(**values | {"position": position, "on_seabed": on_seabed})
 
 
-def _line(values: Values, ids: dict[str, int], found: Findings) -> Line:
+def _line(values: Values, points: tuple[Point, ...], found: Findings) -> Line:
     sections = tuple(_section(section) for section in values["sections"])
     stiffeners = tuple(_stiffener(stiffener) for stiffener in values.get("stiffeners", ()))
-    ends = {end: _end(values[end], ids, found) for end in ("end_a", "end_b")}
+    ends = {end: end_called(values[end], points, found) for end in ("end_a", "end_b")}
     return Line(**values | ends | {"sections": sections, "stiffeners": stiffeners})
 
 
@@ -204,23 +192,6 @@ def _stiffener(values: Values) -> BendStiffener:
 def _section(values: Values) -> Section:
     modules = BuoyancyModules(**values["modules"]) if "modules" in values else None
     return Section(**values | {"modules": modules})
-
-
-def _end(value: tuple[str, Source], ids: dict[str, int], found: Findings) -> Attachment:
-    """Return what an end is tied to: a point's name or number, or `rod 1 A`."""
-    word, source = value
-    if word in ids:
-        return Attachment("point", ids[word])
-    rod = re.fullmatch(r"(?i)rod\s*(\d+)\s*([AB])", word)
-    if rod:
-        return Attachment("rod", int(rod[1]), "A" if rod[2].upper() == "A" else "B")
-    point = re.fullmatch(r"(?i)(?:point\s*)?(\d+)", word)
-    if point:
-        return Attachment("point", int(point[1]))
-    known = ", ".join(ids) or "no point has a name"
-    found.add("end is neither a point nor a rod's end", f"write 1, rod 1 A, or a name ({known})", source, word)
-    found.lost_rows = True
-    return Attachment("point", 0)
 
 
 def write_native(model: Model, path: str | Path) -> list[str]:

@@ -12,6 +12,7 @@ from moorage.model import Curve, Waves
 from moorage.model.spectra import wavenumbers
 
 STEEPEST = 0.142  # height over length at which a wave breaks in deep water (Miche 1944)
+MOST_COMPONENTS = 10_000
 Values = dict[str, Any]
 
 
@@ -115,6 +116,10 @@ def _has_sense(asked: Values, useless: set[str], found: Findings) -> bool:
         if key in asked and not asked[key] > 0.0:
             found.add(f"{key} of the waves must be positive", "correct it", asked["source"], asked[key])
             return False
+    if asked.get("components", 1) > MOST_COMPONENTS:
+        remedy = f"give {MOST_COMPONENTS} or less: some hundreds are fine"
+        found.add("there are too many components of the waves", remedy, asked["source"], asked["components"])
+        return False
     if asked.get("order", 1) > 5 and asked["spectrum"] == "stokes":
         found.add(
             "order of a stokes wave is at most 5", "give 1 to 5, or a stream-function", asked["source"], asked["order"]

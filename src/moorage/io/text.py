@@ -11,7 +11,7 @@ from pathlib import Path
 from moorage.errors import ModelError, Problem, Source
 
 COMMENT = re.compile(r"[#!%].*")
-NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eEdD][+-]?\d+)?")
+NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eEdD][+-]?\d+)?", re.ASCII)
 QUOTED_OR_WORD = re.compile(r"\"([^\"]*)\"|'([^']*)'|(\S+)")
 
 
@@ -46,6 +46,8 @@ def read_text(path: Path, what: str, error: type[Exception] = ModelError, source
         raise error(Problem(f"{what} {path} cannot be read: {why}", "give a readable file", place)) from None
     if not data.strip():
         raise error(Problem(f"{what} {path} is empty", "give a file with content", place))
+    if data[:2] in (b"\xff\xfe", b"\xfe\xff"):
+        raise error(Problem(f"{what} {path} is in UTF-16", "save it as UTF-8", place))
     if _is_binary(data):
         raise error(Problem(f"{what} {path} is not a text file", "give a text file", place))
     try:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import difflib
+import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -16,6 +17,7 @@ from moorage.io.text import Findings
 from moorage.model import Curve
 
 Values = dict[str, Any]
+PLACED = ("model", "environment")
 
 
 class NodeReader:
@@ -29,15 +31,22 @@ class NodeReader:
         return Source(self.file, node.start_mark.line + 1)
 
     def read_object(self, node: yaml.Node, name: str, what: str) -> Values | None:
-        """Return the values of an object of the schema, with its source; None when it cannot be made."""
+        """Return the values of an object of the schema, with its source; None when it cannot be made.
+
+        Those that are no components have `places` beside, the source of each key.
+        """
         if not isinstance(node, yaml.MappingNode):
             self._refuse(node, f"{what} is not an object", f"write keys such as {', '.join(list(SCHEMA[name])[:3])}")
             return None
-        keys, values = SCHEMA[name], {"source": self.source(node)}
+        keys = SCHEMA[name]
+        values: Values = {"source": self.source(node)}
+        places: dict[str, Source] = {}
         before = len(self.found.problems)
         for key_node, value_node in node.value:
             key = str(key_node.value)
-            if key not in keys:
+            if not isinstance(key_node, yaml.ScalarNode):
+                self._refuse(key_node, f"a key of {what} is not a word", f"use {', '.join(keys)}")
+            elif key not in keys:
                 near = difflib.get_close_matches(key, keys, n=1)
                 remedy = f"did you mean {near[0]}?" if near else f"use {', '.join(keys)}"
                 self._refuse(key_node, f"key of {what} is not known", remedy, key)
@@ -45,9 +54,12 @@ class NodeReader:
                 self._refuse(key_node, f"key {key} of {what} is given twice", "remove one")
             else:
                 values[key] = self.value(value_node, keys[key], f"{key} of {what}")
+                places[key] = self.source(key_node)
         for key, entry in keys.items():
             if entry.required and key not in values:
                 self._refuse(node, f"{key} of {what} is missing", f"add {key} ({entry.text}, {entry.unit})")
+        if name in PLACED:
+            values["places"] = places
         return values if len(self.found.problems) == before else None
 
     def value(self, node: yaml.Node, key: Key, what: str) -> Any:
@@ -159,6 +171,8 @@ class NodeReader:
         if not isinstance(node, yaml.MappingNode):
             self._refuse(node, f"{what} is not a set of names", "write name: value")
             return ()
+        if len({str(k.value) for k, _ in node.value}) < len(node.value):
+            self._refuse(node, f"a key of {what} is given twice", "remove one")
         return tuple((str(k.value), self._text(v, what)) for k, v in node.value)
 
     def _curve(self, node: yaml.Node, what: str) -> float | Curve:
@@ -166,6 +180,9 @@ class NodeReader:
         if not isinstance(node, yaml.MappingNode):
             return self._number(node, what)
         parts = {str(k.value): v for k, v in node.value}
+        if len(parts) < len(node.value):
+            self._refuse(node, f"a key of {what} is given twice", "remove one", [str(k.value) for k, _ in node.value])
+            return 0.0
         if parts.keys() == {"file"}:
             return read_curve(self.folder, self._text(parts["file"], what), what, self.found, self.source(node))
         if parts.keys() != {"x", "y"}:
@@ -188,3 +205,21 @@ def _id(node: yaml.Node) -> str:
             if key.value in ("id", "channel"):
                 return f" ({key.value} {value.value})"
     return ""
+
+
+def tagged(node: yaml.Node | None) -> yaml.Node | None:
+    """Return the first node with a tag of a kind that YAML does not have itself, such as !!python/tuple."""
+    seen: set[int] = set()
+    left = [node] if node is not None else []
+    while left:
+        here = left.pop(0)
+        if id(here) in seen:
+            continue
+        seen.add(id(here))
+        if not re.fullmatch(r"tag:yaml\.org,2002:[a-z]+", here.tag):
+            return here
+        if isinstance(here, yaml.MappingNode):
+            left += [part for pair in here.value for part in pair]
+        elif isinstance(here, yaml.SequenceNode):
+            left += here.value
+    return None

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import dataclasses
 from collections.abc import Callable, Iterator
-from itertools import pairwise
 from math import isfinite
 
 from moorage.errors import ModelError, Problem, Source
@@ -26,20 +24,31 @@ from moorage.model.cables import (
     springs_are_possible,
     stiffeners_fit,
 )
-from moorage.model.components import Body, Curve, ExternalLoad, LineType
-from moorage.model.current_grid import CurrentGrid
-from moorage.model.environment import Bathymetry, FrictionMap, StiffnessMap
+from moorage.model.components import Body, ExternalLoad
 from moorage.model.event_checks import (
     channels_exist,
     described,
     events_name_what_exists,
     failures_are_possible,
     failures_that_never_come,
+    loads_that_move_nothing,
     winches_are_possible,
 )
 from moorage.model.inertia import lendings, objects_have_inertia
+from moorage.model.line_type_checks import line_types_are_possible
 from moorage.model.model import Model
+from moorage.model.odd_values import (
+    below_the_bed,
+    nothing_there,
+    odd_bodies,
+    odd_letters,
+    odd_types,
+    odd_water,
+    short_lines,
+)
+from moorage.model.ropes import rope_tensions_are_possible
 from moorage.model.seabed import below_seabed
+from moorage.model.signs import floats_of, wrong_signs
 from moorage.model.turbines import (
     listed_turbines_exist,
     placed,
@@ -47,18 +56,22 @@ from moorage.model.turbines import (
     turbines_carry_what_is_coupled,
     turbines_have_places,
 )
+from moorage.model.type_checks import values_have_types
 from moorage.model.water_checks import (
+    crowded_energy,
     current_is_possible,
     doubtful_current,
     doubtful_directions,
+    growing_profiles,
     steep_waves,
     waves_are_given_once,
     waves_are_possible,
 )
 
+REMEDY = {"name": "rename one; case does not count", "channel": "list all its lines in one control"}
 Check = Callable[[Model], Iterator[Problem]]
 
-OWN_CHECK = Source | Bathymetry | CurrentGrid | FrictionMap | StiffnessMap  # grids are looked through elsewhere
+MOST_SEGMENTS = 100_000
 
 
 def check(model: Model) -> None:
@@ -70,6 +83,8 @@ def check(model: Model) -> None:
 
 def problems_of(model: Model) -> list[Problem]:
     """Return everything that is wrong with a model; what names others is not judged until the names are right."""
+    if wrong := list(values_have_types(model)):
+        return wrong  # nothing can be said of values that are none
     left_out = REFERRING if any(names_are_unique(model)) else ()
     model = placed(model)
     return [problem for function in CHECKS if function not in left_out for problem in function(model)]
@@ -84,7 +99,9 @@ def suspicious(model: Model) -> list[Problem]:
     """Return what can be run but is hardly meant."""
     doubts = (
         pinned_junctions, folded_joints, weak_friction, points_off_the_grid, anchors_over_the_bed, steep_waves,
-        doubtful_current, doubtful_directions, turbines_at_one_place, failures_that_never_come, lendings,
+        growing_profiles, crowded_energy, doubtful_current, doubtful_directions, turbines_at_one_place,
+        failures_that_never_come, loads_that_move_nothing, lendings, odd_types, odd_bodies, odd_water, short_lines,
+        below_the_bed, odd_letters, nothing_there,
     )  # fmt: skip
     model = placed(model)
     return [problem for doubt in doubts for problem in doubt(model)]
@@ -111,108 +128,41 @@ def _named(model: Model) -> Iterator[tuple[str, object, Source | None]]:
 def numbers_are_finite(model: Model) -> Iterator[Problem]:
     """No value is nan or infinite."""
     for name, thing, source in _named(model):
-        for field, value in _floats(thing):
+        for field, value in floats_of(thing):
             if not isfinite(value):
                 yield Problem(f"{field.replace('_', ' ')} of {name} is not finite", "give a number", source, value)
-
-
-def _floats(thing: object, field: str = "") -> Iterator[tuple[str, float]]:
-    if isinstance(thing, float):
-        yield field, thing
-    elif isinstance(thing, tuple):
-        for item in thing:
-            yield from _floats(item, field)
-    elif dataclasses.is_dataclass(thing) and not isinstance(thing, OWN_CHECK):
-        for part in dataclasses.fields(thing):
-            yield from _floats(getattr(thing, part.name), part.name)
-
-
-def _signs(thing: object, name: str, source: Source | None, positive: str, not_negative: str) -> Iterator[Problem]:
-    """Yield the fields (listed with blanks between) that are not positive, or negative; nan is another check's."""
-    for fields, fails, word in (
-        (positive, lambda v: v <= 0.0, "must be positive"),
-        (not_negative, lambda v: v < 0.0, "must not be negative"),
-    ):
-        for field in fields.split():
-            value = getattr(thing, field)
-            values = [v for _, v in _floats(value)] if isinstance(value, tuple) else [value]
-            if any(isinstance(v, int | float) and fails(v) for v in values):
-                yield Problem(f"{field.replace('_', ' ')} of {name} {word}", "correct the value", source, value)
 
 
 def environment_is_possible(model: Model) -> Iterator[Problem]:
     """Depth is positive; gravity, density and seabed are not negative."""
     name, environment = "the environment", model.environment
-    yield from _signs(environment, name, model.source_of("water_depth"), "water_depth", "")
+    yield from wrong_signs(environment, name, model.source_of("water_depth"), "water_depth", "")
     for field in ("gravity", "water_density", "seabed_stiffness", "seabed_damping"):
-        yield from _signs(environment, name, model.source_of(field), "", field)
+        yield from wrong_signs(environment, name, model.source_of(field), "", field)
     if model.output_interval is not None and model.output_interval <= 0.0:
         source = model.source_of("output_interval")
         yield Problem("output interval must be positive", "correct it", source, model.output_interval)
-
-
-def line_types_are_possible(model: Model) -> Iterator[Problem]:
-    """Diameter and EA are positive, all else is not negative."""
-    weak = (
-        "mass_per_length axial_damping bending_stiffness bending_damping transverse_drag tangential_drag "
-        "transverse_added_mass tangential_added_mass lift_coefficient viv_range viv_centre viscoelastic "
-        "dynamic_damping axial_damping_ratio minimum_bend_radius minimum_breaking_load"
-    )
-    for line_type in model.line_types:
-        name = f"line type {line_type.name}"
-        strong = "diameter" if line_type.syrope else "diameter axial_stiffness"
-        yield from _signs(line_type, name, line_type.source, strong, weak)
-        yield from _curves(line_type)
-
-
-def _curves(line_type: LineType) -> Iterator[Problem]:
-    for field in ("axial_stiffness", "axial_damping", "bending_stiffness"):
-        curve = getattr(line_type, field)
-        if not isinstance(curve, Curve):
-            continue
-        what = f"table {curve.file or ''} of {field.replace('_', ' ')} of line type {line_type.name}".replace("  ", " ")
-        if len(curve.x) < 2 or len(curve.x) != len(curve.y):
-            yield Problem(f"{what} has {len(curve.x)} and {len(curve.y)} values", "give two or more", line_type.source)
-        for k, (a, b) in enumerate(pairwise(curve.x)):
-            if b <= a:
-                remedy = f"the value after {a:g} must be larger"
-                yield Problem(f"{what} does not increase at row {k + 2}", remedy, line_type.source, b)
-        if field == "axial_stiffness" and any(b < a for a, b in pairwise(curve.y)):
-            yield Problem(f"{what} has falling tension", "give tensions that do not fall", line_type.source)
-        if field == "bending_stiffness" and not _is_zero_at_zero(curve):
-            remedy = "add the row 0 0: a straight line has no moment"
-            yield Problem(f"{what} does not start at 0, 0", remedy, line_type.source, (curve.x[:1], curve.y[:1]))
-        if field == "bending_stiffness" and any(b <= a for a, b in pairwise(curve.y)):
-            yield Problem(f"{what} has moments that do not increase", "give larger and larger ones", line_type.source)
-
-
-def _is_zero_at_zero(curve: Curve) -> bool:
-    """Return whether a curve starts at 0, 0, or goes through it; other checks tell rows that are none."""
-    rows = list(zip(curve.x, curve.y, strict=False))
-    return (0.0, 0.0) in rows and all(x >= 0.0 or y < 0.0 for x, y in rows)
 
 
 def rod_types_are_possible(model: Model) -> Iterator[Problem]:
     """Rods have a diameter; mass and coefficients are not negative."""
     weak = "mass_per_length transverse_drag transverse_added_mass end_drag end_added_mass"
     for rod_type in model.rod_types:
-        yield from _signs(rod_type, f"rod type {rod_type.name}", rod_type.source, "diameter", weak)
+        yield from wrong_signs(rod_type, f"rod type {rod_type.name}", rod_type.source, "diameter", weak)
 
 
 def objects_are_possible(model: Model) -> Iterator[Problem]:
     """Masses, volumes and coefficients of points and bodies are not negative."""
     for point in model.points:
         weak = "mass volume drag_area added_mass"
-        yield from _signs(point, f"point {point.id}", point.source, "", weak)
+        yield from wrong_signs(point, f"point {point.id}", point.source, "", weak)
     for body in model.bodies:
         weak = "mass inertia volume drag_area added_mass"
-        yield from _signs(body, f"body {body.id}", body.source, "", weak)
-        for names, count in (("position rotation centre_of_gravity inertia", 3), ("drag_area added_mass", 6)):
-            yield from _counts(body, f"body {body.id}", names, (count,))
+        yield from wrong_signs(body, f"body {body.id}", body.source, "", weak)
+        yield from _counts(body, f"body {body.id}", "drag_area added_mass", (6,))
     for load in model.external_loads:
         weak = "linear_damping quadratic_damping"
-        yield from _signs(load, f"external load {load.id}", load.source, "", weak)
-        yield from _counts(load, f"external load {load.id}", "force", (3,))
+        yield from wrong_signs(load, f"external load {load.id}", load.source, "", weak)
         yield from _counts(load, f"external load {load.id}", weak, (1, 2, 3) if load.target == "rod" else (1, 3))
 
 
@@ -237,16 +187,19 @@ def names_are_unique(model: Model) -> Iterator[Problem]:
         ("body", model.bodies, "id"),
         ("turbine", model.turbines, "id"),
         ("failure", model.failures, "id"),
+        ("control channel", model.controls, "channel"),
+        ("external load", model.external_loads, "id"),
     ):
         seen: dict[object, object] = {}
         for thing in things:
             key, source = getattr(thing, attribute), getattr(thing, "source", None)
             key = key.lower() if isinstance(key, str) else key
             if isinstance(key, int) and key < 1:
-                yield Problem(f"number of a {kind} must be positive", "count from 1", source, key)
+                article = "an" if kind[0] in "aeio" else "a"
+                yield Problem(f"number of {article} {kind} must be positive", "count from 1", source, key)
             if key in seen:
                 first = f" (first: {seen[key]})" if seen[key] else ""
-                remedy = "give each its own" if attribute == "id" else "rename one; case does not count"
+                remedy = REMEDY.get(attribute, "give each its own")
                 yield Problem(f"{kind} {key} is described twice{first}", remedy, source, key)
             seen.setdefault(key, source)
 
@@ -268,6 +221,9 @@ def sections_are_possible(model: Model) -> Iterator[Problem]:
             if section.segments < 1:
                 message = f"number of segments of line {line.id} must be at least 1"
                 yield Problem(message, "correct it", source, section.segments)
+            if section.segments > MOST_SEGMENTS:
+                message = f"line {line.id} has more than {MOST_SEGMENTS} segments"
+                yield Problem(message, "give fewer: some hundreds are fine", source, section.segments)
 
 
 def ends_exist(model: Model) -> Iterator[Problem]:
@@ -352,6 +308,7 @@ CHECKS: tuple[Check, ...] = (
     objects_are_possible,
     names_are_unique,
     sections_are_possible,
+    rope_tensions_are_possible,
     ends_exist,
     carriers_exist,
     listed_turbines_exist,

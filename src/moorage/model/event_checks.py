@@ -52,11 +52,28 @@ def events_name_what_exists(model: Model) -> Iterator[Problem]:
             yield Problem(message, described(model, load.target), load.source)
 
 
+def loads_that_move_nothing(model: Model) -> list[Problem]:
+    """Return doubts about loads on points and rods that are held by the ground, which nobody feels."""
+    held = {("point", point.id) for point in model.points if point.kind == "fixed" and point.body is None}
+    held |= {("rod", rod.id) for rod in model.rods if rod.kind == "fixed" and rod.body is None}
+    return [
+        Problem(
+            f"external load {load.id} is on {load.target} {load.target_id}, which is fixed: it has no effect",
+            "remove it, or name another object",
+            load.source,
+        )
+        for load in model.external_loads
+        if (load.target, load.target_id) in held
+    ]
+
+
 def failures_are_possible(model: Model) -> Iterator[Problem]:
     """A failure takes lines off at a time or tension that can come, and leaves nothing behind that nothing holds."""
     for failure in model.failures:
         if not failure.lines:
             yield Problem(f"failure {failure.id} names no lines", "name those that come off", failure.source)
+        if len(set(failure.lines)) < len(failure.lines):
+            yield Problem(f"failure {failure.id} names a line twice", "name it once", failure.source, failure.lines)
         for name, value in (("time", failure.time), ("tension", failure.tension)):
             if value < 0.0:
                 message = f"{name} of failure {failure.id} must not be negative"
@@ -93,10 +110,10 @@ def failures_that_never_come(model: Model) -> Iterator[Problem]:
 def winches_are_possible(model: Model) -> Iterator[Problem]:
     """A line has one winch; what drives it is one table of increasing times; a segment cut in two leaves good parts."""
     owner: dict[int, int] = {}
-    for k, control in enumerate(model.controls):
+    for control in model.controls:
         what = f"control channel {control.channel}"
-        if any(other.channel == control.channel for other in model.controls[:k]):
-            yield Problem(f"{what} is described twice", "list all its lines in one control", control.source)
+        if not control.lines:
+            yield Problem(f"{what} names no lines", "name those that follow it, or remove it", control.source)
         for id in control.lines:
             if id in owner:
                 message = f"{what} names line {id}, which follows channel {owner[id]}"

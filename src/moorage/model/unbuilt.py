@@ -23,18 +23,18 @@ def unbuilt(model: Model) -> list[Problem]:
 
 
 def _rod_damping(model: Model) -> Iterator[Problem]:
-    joints = {rod.id for rod in model.rods if is_joint(rod) and rod.kind == "free"}
+    short = {rod.id for rod in model.rods if not rod.segments}
     carried = {rod.id for rod in model.rods if rod.body is not None and rod.kind == "fixed"}
     for load in model.external_loads:
         damped = any((*load.linear_damping, *load.quadratic_damping))
         if load.target != "rod" or not load.local or not damped:
             continue
-        if load.target_id in joints:
-            message = f"external load {load.id}: damping along a rod of no length is not simulated yet"
-            yield Problem(message, "give it in global axes", load.source)
-        elif load.target_id in carried:
+        if load.target_id in carried:
             message = f"external load {load.id}: damping along a rod that is fixed to a body is not simulated yet"
             yield Problem(message, "give the body a damping in its own axes", load.source)
+        elif load.target_id in short:
+            message = f"external load {load.id}: damping along a rod of no length is not simulated yet"
+            yield Problem(message, "give it in global axes", load.source)
 
 
 def _viscoelastic(model: Model) -> Iterator[Problem]:

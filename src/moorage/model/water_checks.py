@@ -12,6 +12,13 @@ from moorage.model.current_grid import CurrentGrid
 from moorage.model.model import Model
 from moorage.model.waves import Waves
 
+GROWTH = 1.5  # of velocities to the crests that is worth a word
+LONELY = 0.5  # of the energy in one component that is worth a word
+LOST = 0.05  # of the energy
+FASTEST = 10.0  # m/s of a current; the fastest tidal streams
+SHARPEST = 10.0  # gamma, of the narrowest swell
+REGULAR = ("regular", "stokes", "stream-function")
+
 
 def current_is_possible(model: Model) -> Iterator[Problem]:
     """Levels of the current increase, each with a velocity, and a grid of it reaches as far as the model."""
@@ -21,8 +28,6 @@ def current_is_possible(model: Model) -> Iterator[Problem]:
         return
     if len(current.z) != len(current.velocity) or not current.z:
         yield Problem("current has not one velocity for each level", "give both for each level", current.source)
-    if any(len(v) != 3 for v in current.velocity):
-        yield Problem("a velocity of the current has not three components", "give x, y and z", current.source)
     if any(b <= a for a, b in pairwise(current.z)):
         yield Problem("levels of the current do not increase", "sort them, each once", current.source, current.z)
 
@@ -114,7 +119,7 @@ def waves_are_possible(model: Model) -> Iterator[Problem]:
 
 
 def steep_waves(model: Model) -> list[Problem]:
-    """Return a doubt about a sea that is steeper than seas are.
+    """Return doubts about a sea that is steeper, or more peaked, than seas are.
 
     2 pi Hs / (g Tp^2) is at most 1/15 for Tp up to 8 s and 1/25 from 15 s on, linear between (DNV-RP-C205); a
     regular wave breaks at 0.142 of its length times tanh(k d) (Miche).
@@ -127,15 +132,19 @@ def steep_waves(model: Model) -> list[Problem]:
             return []  # a steep theory has looked at that
         return _breaking(waves)
     asked = dict(waves.asked)
+    peak, doubts = asked.get("gamma", 1.0), []
+    if isinstance(peak, float | int) and not 1.0 <= peak <= SHARPEST:
+        what = f"gamma of the sea is {peak:.3g}; seas have 1 to 7"
+        doubts.append(Problem(what, "correct it, or leave it out", waves.source))
     height, period = asked.get("height", waves.significant_height), asked.get("period", waves.peak_period)
     assert isinstance(height, float | int)
     assert isinstance(period, float | int)
     limit = float(np.interp(period, [8.0, 15.0], [1.0 / 15.0, 1.0 / 25.0]))
     highest = limit * waves.gravity * period**2 / (2.0 * np.pi)
     if height <= highest:
-        return []
+        return doubts
     what = f"a sea of Hs {height:.3g} m and Tp {period:.3g} s is steeper than seas are"
-    return [Problem(what, f"Hs is at most {highest:.3g} m there (DNV-RP-C205)", waves.source)]
+    return [*doubts, Problem(what, f"Hs is at most {highest:.3g} m there (DNV-RP-C205)", waves.source)]
 
 
 def _breaking(waves: Waves) -> list[Problem]:
@@ -147,10 +156,56 @@ def _breaking(waves: Waves) -> list[Problem]:
     return [Problem(what, f"it breaks at {highest:.3g} m (Miche)", waves.source)]
 
 
+def growing_profiles(model: Model) -> list[Problem]:
+    """Return a doubt about a sea whose profiles go on to the crests, where the shortest waves take over.
+
+    Unstretched, a component grows by exp(k z) above the still water; the spread of the velocity (its rms) is looked at
+    as high as the highest crests of some hours, which is Hs. Steep regular waves are made to go on so.
+    """
+    waves = model.environment.waves
+    if waves is None or waves.is_regular or waves.stretching != "none":
+        return []
+    height, k = waves.significant_height, waves.wavenumber
+    still = np.square(waves.elevations * np.array(waves.frequency) / np.tanh(k * waves.depth))
+    with np.errstate(over="ignore"):
+        growth = float(np.sqrt((still * np.exp(2.0 * k * height)).sum() / still.sum()))
+    if growth <= GROWTH:
+        return []
+    what = f"without stretching velocities at crests of {height:.3g} m are {growth:.3g} times those at the still water"
+    remedy = (
+        "write stretching: wheeler, vertical or linear; short waves ride on the long ones, they are no part of them"
+    )
+    return [Problem(what, remedy, waves.source)]
+
+
+def crowded_energy(model: Model) -> list[Problem]:
+    """Return doubts about a spectrum that its components do not stand for: a lone one, or energy left outside."""
+    waves = model.environment.waves
+    asked = dict(waves.asked) if waves else {}
+    if waves is None or "height" not in asked or asked.get("spectrum") in REGULAR:
+        return []
+    energy, doubts, count = np.square(waves.elevations), [], len(waves.frequency)
+    share, m0 = float(energy.max() / energy.sum()), float(0.5 * energy.sum())
+    if share > LONELY:
+        what = f"one of the {count} components of the sea" if count > 1 else "the only component of the sea"
+        what = f"{what} has {share:.2g} of its energy (m0), at {2.0 * np.pi / waves.frequency[energy.argmax()]:.3g} s"
+        doubts.append(Problem(what, "give more components (200 by default), or spectrum: regular", waves.source, count))
+    asked_m0 = float(asked["height"]) ** 2 / 16.0
+    lost = 1.0 - m0 / asked_m0
+    if asked.get("spectrum") != "a function" and lost > LOST:
+        what = f"{lost:.2g} of the energy of the spectrum (m0) is lost: Hs {waves.significant_height:.3g} m instead of "
+        what += f"{asked['height']:.3g} m; components are cut where they begin and end, from 0.5 to 3.5 of the peak"
+        doubts.append(Problem(what, "give a table of the spectrum (density) over all of it", waves.source))
+    return doubts
+
+
 def doubtful_current(model: Model) -> list[Problem]:
     """Return doubts about levels above the water, and about a grid that begins late or stops short in depth."""
     current = model.environment.current
     doubts = []
+    fastest = float(np.abs(np.asarray(current.velocity, float)).max(initial=0.0))
+    if fastest > FASTEST:
+        doubts.append(Problem(f"the current runs at {fastest:.3g} m/s", "give m/s", current.source))
     if max(current.z, default=0.0) > 0.0:
         what = f"the current has a level {max(current.z):g} m above the water"
         doubts.append(Problem(what, "levels are z: negative below the water", current.source))

@@ -232,8 +232,10 @@ class Waves:
     def peak_period(self) -> float:
         """Period of the densest energy, with frequencies smoothed by 3 %, s."""
         w, energy = np.array(self.frequency), np.square(self.elevations)
-        fine = np.linspace(w.min(), w.max(), 2001)
-        density = (energy * np.exp(-0.5 * ((fine[:, None] - w) / (0.03 * w)) ** 2) / w).sum(axis=1)
+        fine, density = np.linspace(w.min(), w.max(), 2001), np.zeros(2001)
+        for part in np.array_split(np.arange(len(w)), len(w) // 1000 + 1):  # in memory at once
+            width = 0.03 * w[part]
+            density += (energy[part] * np.exp(-0.5 * ((fine[:, None] - w[part]) / width) ** 2) / w[part]).sum(axis=1)
         return float(2.0 * np.pi / fine[np.argmax(density)])
 
     @property

@@ -44,6 +44,17 @@ def with_line(model: Model, k: int, length: float | None, stiffness: float | Non
     return dataclasses.replace(model, lines=tuple(lines), line_types=types)
 
 
+def without_stiffness(model: Model, k: int) -> Model:
+    """Return a model whose line has its own types again, without the axial stiffness of `with_line`."""
+    line = model.lines[k]
+    own = tuple(
+        dataclasses.replace(s, line_type=s.line_type.removesuffix(f" of line {line.id}")) for s in line.sections
+    )
+    lines = list(model.lines)
+    lines[k] = dataclasses.replace(line, sections=own)
+    return dataclasses.replace(model, lines=tuple(lines))
+
+
 def broken(model: Model, attachment: Attachment, places: tuple[int, ...], position: np.ndarray) -> Model:
     """Return a model in which lines hold on to a free point of their own, at a position, instead of an attachment."""
     id, free = max((point.id for point in model.points), default=0) + 1, tuple(position.tolist())

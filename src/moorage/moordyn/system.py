@@ -15,7 +15,7 @@ from moorage.layout import WITHOUT_ROWS, State, copy_of
 from moorage.model import Attachment, Failure
 from moorage.model.checks import check
 from moorage.model.turbines import placed
-from moorage.moordyn.changes import broken, option, with_line, without_host_parts
+from moorage.moordyn.changes import broken, option, with_line, without_host_parts, without_stiffness
 from moorage.moordyn.codes import LEVEL_ERR, LEVEL_MSG, LEVEL_WRN
 from moorage.moordyn.log import Log
 from moorage.moordyn.text import Text
@@ -68,6 +68,7 @@ class System:
         self.step_max: float | None = None
         self.scheme = option(self.model, "tScheme", "implicit")
         self.pay_out: dict[int, float] = {}  # line: rate of its unstretched length, m/s
+        self.stiffness: dict[int, float] = {}  # line: axial stiffness that the host has given it, N
         self.closed = False
         self.text: Text | None = None
         self._build(build(self.model))
@@ -137,8 +138,7 @@ class System:
         """Start at time 0 with the coupled objects at `pose`, moving at `rate`; statically, or as described."""
         position, velocity = self.coupling.at(pose, rate)
         self.host.initialize(position, velocity, static)
-        if self.step_max is not None:
-            self.limit_step(self.step_max)
+        self._keep_limit()
         self.pose, self.rate, self.means = pose, rate, np.stack([rate, rate])
         self._forget()
         if option(self.model, "disableOutput", "0").lower() not in ("1", "true"):
@@ -231,6 +231,18 @@ class System:
     def change_line(self, line: int, *, length: float | None = None, stiffness: float | None = None) -> None:
         """Give a line (by its place) another unstretched length, m, or axial stiffness, N, from now on."""
         self.model = with_line(self.model, line, length, stiffness)
+        if stiffness is not None:
+            self.stiffness[line] = stiffness
+        self._rebuild()
+
+    def _give_back_stiffness(self, line: int) -> None:
+        """Let a line have the axial stiffness that it is described with."""
+        self.model = without_stiffness(self.model, line)
+        del self.stiffness[line]
+        self._rebuild()
+
+    def _rebuild(self) -> None:
+        """Go on with lines as the model has them now."""
         fresh = build(self.model)
         march, host = self.host.march if self.started else None, self.host
         for owner in (host, march):
@@ -252,6 +264,11 @@ class System:
             march.control = march.control._replace(step_max=dt)
             march.clocks.step[:] = np.minimum(march.clocks.step, dt)
 
+    def _keep_limit(self) -> None:
+        """Limit the steps of a new or restored march as the host has asked."""
+        if self.step_max is not None:
+            self.limit_step(self.step_max)
+
     def break_off(self, attachment: Attachment, lines: tuple[int, ...]) -> None:
         """Take lines (by their places) off a point; they hold on to a new free point that is like it."""
         old, before = self.model, self.built
@@ -264,12 +281,12 @@ class System:
         rows = np.insert(np.arange(len(before.state.position)), nodes + points, 0)
         rows[nodes + points] = before.names.node_ptr[lines[0] + end] - end
         state = State(*(v if name in WITHOUT_ROWS else v[rows] for name, v in before.state._asdict().items()))
-        time, march, given = self.time, self.host.march, before.system.sea.given
+        time, given = self.time, before.system.sea.given
         self._build(new)
         if given.shape[1] > 1:
             self.host.take_water(np.concatenate([given[:, rows], given[:, -1:]], axis=1))
         self.host.take_over(time, state, *self.coupling.at(self.pose, self.rate))
-        self.limit_step(march.control.step_max)
+        self._keep_limit()
         self._reopen()
         self.log.say(LEVEL_MSG, f"{', '.join(f'line {old.lines[k].id}' for k in lines)} came off {attachment}")
 
@@ -314,36 +331,58 @@ class System:
         self._forget()
 
     def save(self) -> Block:
-        """Return everything that `restore` needs."""
-        host = self.host.save()
-        lengths = np.array([line.length for line in self.model.lines])
-        return host | {"pose": self.pose, "rate": self.rate, "means": self.means, "length": lengths}
+        """Return everything that `restore` needs, what the host has set included."""
+        lines = range(len(self.model.lines))
+        return self.host.save() | {
+            "pose": self.pose,
+            "rate": self.rate,
+            "means": self.means,
+            "length": np.array([line.length for line in self.model.lines]),
+            "pay_out": np.array([self.pay_out.get(k, 0.0) for k in lines]),
+            "stiffness": np.array([self.stiffness.get(k, np.nan) for k in lines]),
+            "step_max": np.array([np.nan if self.step_max is None else self.step_max]),
+        }
 
     def restore(self, saved: Block) -> None:
-        """Go back to a saved state of the same system, bit for bit."""
+        """Go back to a saved state of the same system, bit for bit; a limit of the steps that is set here stays."""
         if not self.started:
             self.initialize(self.pose, self.rate, static=False)
-        now = self.host.save()
+        now = self.save()
         free = {"given"}  # water of the host: there may be none, now or then
         wrong = [n for n in now if n not in saved or (n not in free and saved[n].shape != now[n].shape)]
         if wrong:
             raise MoorageError(f"the saved state is of another system: {', '.join(wrong)} differ in shape")
-        for k, length in enumerate(saved["length"]):
-            if length != self.model.lines[k].length:
-                self.change_line(k, length=float(length))
+        self._restore_lines(saved)
         given, present = saved["given"], self.built.system.sea.given
         if given.shape != present.shape:
             if present.shape[1] == 1:
                 self._take_water()
             else:
                 saved = saved | {"given": np.zeros_like(present)}  # still
-        self.host.restore({name: saved[name] for name in now})
+        self.host.restore(saved)
         self.pose, self.rate, self.means = (saved[name].copy() for name in ("pose", "rate", "means"))
+        if self.step_max is None and np.isfinite(saved["step_max"][0]):
+            self.step_max = float(saved["step_max"][0])
+        self._keep_limit()
         self._forget()
+
+    def _restore_lines(self, saved: Block) -> None:
+        """Give the lines the lengths, rates and stiffness that the host had given them."""
+        for k, (length, stiffness) in enumerate(
+            zip(saved["length"].tolist(), saved["stiffness"].tolist(), strict=True)
+        ):
+            if np.isnan(stiffness) and k in self.stiffness:
+                self._give_back_stiffness(k)
+            elif not np.isnan(stiffness) and stiffness != self.stiffness.get(k):
+                self.change_line(k, stiffness=stiffness)
+            if length != self.model.lines[k].length:
+                self.change_line(k, length=length)
+        self.pay_out = {k: rate for k, rate in enumerate(saved["pay_out"].tolist()) if rate}
 
     def set_state(self, state: State) -> None:
         """Go on from a state whose nodes and free points have been changed, at the present time."""
         self.host.take_over(self.time, state, *self.coupling.at(self.pose, self.rate))
+        self._keep_limit()
         self._forget()
 
     def say_error(self, error: Exception) -> None:

@@ -57,7 +57,9 @@ def rod_load(built: Built, block: Block, k: int, time: np.ndarray) -> np.ndarray
     """Return force and moment (n, 6) on rod k beside those of its nodes: given loads, inertia of its thickness."""
     ends, out = block["rod_position"][:, k], np.zeros((len(time), 6))
     number = int(built.rods.line[k]) - len(built.names.lines)
-    if number < 0:
+    if number < 0:  # without length or mass
+        rates = (block[f"rod_{name}"][:, k, :3] for name in ("velocity", "acceleration"))
+        out[:, :3] = point_load(built, built.rods.ends[k, 0], np.concatenate([ends[:, 0], *rates], axis=1), time)
         return out
     along = ends[:, 1] - ends[:, 0]
     axes = np.array([frame_along(e / np.linalg.norm(e)).ravel() for e in along])

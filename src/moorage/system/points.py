@@ -5,14 +5,13 @@ from __future__ import annotations
 import numpy as np
 
 from moorage.model import Attachment, Model
-from moorage.model.cables import is_joint
 from moorage.physics.point import PointLoads
 from moorage.system.holders import Holders
 from moorage.system.objects import three
 
 
 def build_points(model: Model, holders: Holders) -> PointLoads:
-    """Return the loads of points by themselves; given ones also of joints, and at ends A of rods fixed to bodies."""
+    """Return the loads of points by themselves; given ones also of short rods, and at ends A of those on bodies."""
     env, count = model.environment, len(holders.rest)
 
     def column(values):
@@ -28,7 +27,7 @@ def build_points(model: Model, holders: Holders) -> PointLoads:
     place |= {
         ("rod", rod.id): holders.number[Attachment("rod", rod.id, "A")]
         for rod in model.rods
-        if is_joint(rod) or (rod.body is not None and rod.kind == "fixed")
+        if not rod.segments or (rod.body is not None and rod.kind == "fixed")
     }
     for load in model.external_loads:
         if (at := place.get((load.target, load.target_id))) is not None:

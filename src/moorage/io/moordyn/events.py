@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Literal, NamedTuple
 
 from moorage.errors import Source
 from moorage.io.moordyn.columns import Column, Record, records
@@ -44,6 +44,14 @@ _TARGETS: dict[str, Literal["body", "rod", "point"]] = {
     "POINT": "point",
     "P": "point",
 }
+
+
+class Tensions(NamedTuple):
+    """What a Syrope line starts from, N, and where that is said."""
+
+    highest: float
+    mean: float
+    source: Source
 
 
 def read_failures(table: Table, found: Findings) -> list[Failure]:
@@ -122,10 +130,14 @@ def _damping(word: str, counts: tuple[int, int], what: str, found: Findings, sou
     return values if len(values) == counts[1] else (values * counts[1])[: counts[1]]
 
 
-def read_syrope(table: Table, found: Findings) -> dict[int, tuple[float, float]]:
+def read_syrope(table: Table, found: Findings) -> dict[int, Tensions]:
     """Return the highest and the mean tension that Syrope lines start from, by line."""
-    tensions: dict[int, tuple[float, float]] = {}
+    tensions: dict[int, Tensions] = {}
     for record in records(table, SYROPE_COLUMNS, found):
-        pair = tuple(found.number(record[key], key, record.source) for key in ("Tmax0", "Tmean0"))
-        tensions |= dict.fromkeys(read_ids(record["Line(s)"], "line of SYROPE IC", found, record.source), pair)  # type: ignore[arg-type]
+        highest, mean = (found.number(record[key], key, record.source) for key in ("Tmax0", "Tmean0"))
+        for id in read_ids(record["Line(s)"], "line of SYROPE IC", found, record.source):
+            if id in tensions:
+                remedy = f"give it once (first: {tensions[id].source})"
+                found.add(f"SYROPE IC names line {id} twice", remedy, record.source)
+            tensions[id] = Tensions(highest, mean, record.source)
     return tensions

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import dataclasses
+import warnings
 from pathlib import Path
 from typing import Literal
 
-from moorage.errors import Source
+from moorage.errors import ModelWarning, Source
 from moorage.io.finish import checked
 from moorage.io.moordyn import bodies, channels, events, line_types, lines, points, rods
 from moorage.io.moordyn.environment import number, read_environment, sources
@@ -14,7 +15,7 @@ from moorage.io.moordyn.options import Value, flavour, read_options, unused
 from moorage.io.moordyn.sections import Table, split_sections, unknown_sections
 from moorage.io.moordyn.v1 import is_v1
 from moorage.io.text import Findings, Row, read_text, rows
-from moorage.model import Environment, Line, Model, Turbine
+from moorage.model import Environment, Line, LineType, Model, Turbine
 
 
 def read_moordyn(
@@ -56,13 +57,14 @@ def parse_moordyn(text: str, path: Path, found: Findings, defaults: Environment 
     values = read_options(table("options"), found)
     point_list = points.read_points(table("points"), found)
     type_columns = line_types.V1_COLUMNS if v1 else line_types.COLUMNS
+    type_list = line_types.read_line_types(table("line types"), type_columns, path.parent, found)
     rod_list = rods.read_rods(table("rods"), found)
     body_list = bodies.read_bodies(table("bodies"), found)
     line_list = lines.read_lines(table("lines"), lines.V1_COLUMNS if v1 else lines.COLUMNS, found)
     return Model(
         environment=read_environment(values, point_list, rod_list, path.parent, found, source, defaults),
-        line_types=tuple(line_types.read_line_types(table("line types"), type_columns, path.parent, found)),
-        lines=_with_tensions(line_list, events.read_syrope(table("syrope"), found), table("syrope"), found),
+        line_types=tuple(type_list),
+        lines=_with_tensions(line_list, type_list, events.read_syrope(table("syrope"), found), found),
         points=tuple(point_list),
         rod_types=tuple(rods.read_rod_types(table("rod types"), found)),
         rods=tuple(rod_list),
@@ -102,11 +104,22 @@ def _require_sections(tables: dict[str, Table], found: Findings, source: Source)
 
 
 def _with_tensions(
-    lines: list[Line], tensions: dict[int, tuple[float, float]], table: Table, found: Findings
+    lines: list[Line], types: list[LineType], tensions: dict[int, events.Tensions], found: Findings
 ) -> tuple[Line, ...]:
-    for id in tensions.keys() - {line.id for line in lines}:
-        found.add(f"SYROPE IC names line {id}, which is not there", "correct the number", table.source)
-    return tuple(dataclasses.replace(line, syrope_tensions=tensions.get(line.id)) for line in lines)
+    """Return the lines with the tensions that those of a Syrope type start from; rows of other lines are told."""
+    ropes = {t.name.lower() for t in types if t.syrope}
+    known = {line.id: any(s.line_type.lower() in ropes for s in line.sections) for line in lines}
+    for id, row in tensions.items():
+        if id not in known:
+            found.add(f"SYROPE IC names line {id}, which is not there", "correct the number", row.source)
+        elif not ropes:
+            remedy = "remove the section, or write SYROPE:file|EA_Dc|EA_D_Lm as EA of its line type"
+            found.add(f"SYROPE IC names line {id}, and no line type is a Syrope one", remedy, row.source)
+        elif not known[id]:
+            what = f"SYROPE IC names line {id}, whose line type is not a Syrope one: its row has no effect"
+            warnings.warn(f"{row.source}: {what}; remove it", ModelWarning, stacklevel=2)
+    used = {id: (row.highest, row.mean) for id, row in tensions.items() if known.get(id)}
+    return tuple(dataclasses.replace(line, syrope_tensions=used.get(line.id)) for line in lines)
 
 
 def _start(values: dict[str, Value]) -> Literal["static", "as-given"]:

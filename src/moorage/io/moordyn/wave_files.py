@@ -20,6 +20,8 @@ from moorage.model import Waves
 FASTEST = np.pi  # rad/s: MoorDyn-C leaves out of a transform what is faster than 0.5 Hz
 SILENT = 1e-14  # of the energy: components below are rounding
 MOST = 100_000  # components of an even grid
+MOST_SAMPLES = 1_000_000  # of an elevation, to look at its energy
+NOTABLE_LOSS = 0.05  # of the energy that is worth a word
 NOTABLE = 0.01  # mean level over significant height that is worth a word
 
 Values = dict[str, Any]
@@ -93,7 +95,35 @@ def transformed(
     amplitude[0] *= 0.5
     kept = w <= FASTEST
     kept[-1] = False  # half the rate of the samples: its phase is not known
+    _warn_of_loss(path, time, elevation, interval, float(0.5 * (np.abs(amplitude[kept & (w > 0.0)]) ** 2).sum()))
     return _waves(Components(w[kept], amplitude[kept], np.full(kept.sum(), direction)), water, path, mode)
+
+
+def _warn_of_loss(path: Path, time: np.ndarray, elevation: np.ndarray, interval: float, kept: float) -> None:
+    """Warn when the elevation of a file has more energy, m2, than the components kept, or faster waves than they are.
+
+    Samples that are too far apart do not lose the energy of faster waves, but give it to slower ones.
+    """
+    step = max(float(np.diff(time).min()), float(time[-1]) / MOST_SAMPLES)
+    even = np.interp(step * np.arange(int(time[-1] / step + 1e-9) + 1), time, elevation)
+    energy = np.abs(np.fft.rfft(even - even.mean())) ** 2
+    total, fastest = float(energy[1:].sum()), min(FASTEST, np.pi / interval)
+    if not total > 0.0:
+        return
+    beyond = float(energy[2.0 * np.pi / (len(even) * step) * np.arange(len(energy)) > fastest].sum()) / total
+    lost = 1.0 - kept / float(even.var())
+    if max(beyond, lost) <= NOTABLE_LOSS:
+        return
+    if beyond > NOTABLE_LOSS and fastest < FASTEST:
+        what = f"{beyond:.2g} of the energy of the waves (m0) is faster than dtWave {interval:g} s can tell"
+        remedy = f"give dtWave {max(step, 1.0):g} s or less"
+    elif beyond > NOTABLE_LOSS:
+        what = f"{beyond:.2g} of the energy of the waves (m0) is faster than 0.5 Hz and left out, as by MoorDyn-C"
+        remedy = "give components by WaveKin 7"
+    else:
+        what = f"{lost:.2g} of the energy of the waves (m0) is lost between the rows of the file, {step:g} s apart"
+        remedy = f"give rows every {interval:g} s or less, or dtWave {step:g} s"
+    warnings.warn(f"{path}: {what}; {remedy}", ModelWarning, stacklevel=2)
 
 
 def _frequencies(path: Path, found: Findings, named: Source) -> Components | None:
