@@ -117,6 +117,7 @@ def _environment(attrs: Mapping[str, object]) -> dict[str, str]:
         "current": str(attrs.get("current", "")),
         "seabed": str(attrs.get("bathymetry", "")),
         "soil": str(attrs.get("soil", "")),
+        "friction": str(attrs.get("friction", "")),
         "friction in statics": str(attrs.get("friction_in_statics", "")),
     }
 

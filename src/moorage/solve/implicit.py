@@ -17,7 +17,16 @@ from moorage._jit import inlined, kernel, part
 from moorage._vec3 import add, dot, get, mat_get, mat_put, put, scale, sub
 from moorage.layout import BASE, Weights, line_nodes, memory_of, point_row, put_memory
 from moorage.physics.contact import near_bed, penetration
-from moorage.physics.friction import ELASTIC, NONE, SOIL, STICK_SLIP, friction_terms, remembers, stuck_after
+from moorage.physics.friction import (
+    ELASTIC,
+    NONE,
+    SOIL,
+    STICK_SLIP,
+    friction_terms,
+    remembers,
+    stuck_after,
+    taken_by_damper,
+)
 from moorage.physics.rigid import SIZE
 from moorage.physics.soil import remember
 from moorage.solve.newton import assemble_island, newton_island, shift, solve_island
@@ -196,13 +205,14 @@ def stick_island(system, now, trial, load, island, h):
         for i in range(first, last + 1):
             r, N = get(trial.position, i), load[i, 0]
             place, heat, power = r, now.heat[i, 0], 0.0
+            n, v, node = (load[i, 1], load[i, 2], load[i, 3]), get(trial.velocity, i), np.uintp(i)
             if N < 0.0:
                 place = get(now.stuck, i)
+                heat += taken_by_damper(system.friction, node, sub(v, scale(dot(v, n), n)), h)
             elif N > 0.0 and rubs:
                 q = sub(get(trial.position, min(i + 1, last)), get(trial.position, max(i - 1, first)))
-                n, v, node = (load[i, 1], load[i, 2], load[i, 3]), get(trial.velocity, i), np.uintp(i)
                 if sticks:
-                    place, lost = stuck_after(system.friction, node, N, n, q, r, v, get(now.stuck, i), c)
+                    place, lost = stuck_after(system.friction, node, N, n, q, r, v, get(now.stuck, i), h, c)
                     heat += lost
                 else:
                     power = -dot(friction_terms(system.friction, node, N, n, q, r, v, r, c)[0], v)
