@@ -244,9 +244,9 @@ def test_a_line_that_lies_off_the_grid_at_the_end_is_told(tmp_path):
         moorage.simulate(model, **settings)
     narrow = dataclasses.replace(GRID, y=(-50.0, 10.0))
     model = dataclasses.replace(model, environment=dataclasses.replace(model.environment, bathymetry=narrow))
-    for output in (None, tmp_path / "run.nc"):
+    for output, save in ((None, "all"), (tmp_path / "run.nc", "all"), (None, "tensions")):
         with pytest.warns(ModelWarning) as told:
-            moorage.simulate(model, output=output, **settings).close()
+            moorage.simulate(model, output=output, save=save, **settings).close()
         words = [str(warning.message) for warning in told]
         assert any(text.startswith("point 1 is outside") for text in words)
         assert any(text.startswith("line 1 lies outside the depth grid with") for text in words)
