@@ -134,7 +134,7 @@ def test_a_file_holds_what_memory_does(surge, tmp_path, dt_nodes):
     settings = {"motion": surge, "duration": 3.0, "dt_out": 0.25, "dt_nodes": dt_nodes}
     memory = moorage.simulate(model, **settings)
     with moorage.simulate(model, output=tmp_path / "run.nc", **settings) as file:
-        for name in (*HISTORIES, "anchor_uplift_force", "anchor_uplift_angle"):
+        for name in (*HISTORIES, *OVER_TIME, "anchor_uplift_angle"):
             np.testing.assert_array_equal(file[name].values, memory[name].values, err_msg=name)
             assert file[name].dtype == memory[name].dtype
         assert file["bed_level"].equals(memory["bed_level"])
