@@ -90,6 +90,7 @@ def run_summary(attrs: Mapping[str, Any]) -> None:
             + (f": {attrs['steps']} steps, {attrs['rejected']} rejected" if "steps" in attrs else ""),
             "waves": sea_words(attrs),
             "seabed": attrs.get("bathymetry", ""),
+            "friction": attrs.get("friction", ""),
             "friction in statics": attrs.get("friction_in_statics", "") if attrs["start"] == "static" else "",
             "moorage": f"{attrs['moorage_version']}, {attrs['date']}",
             "status": "killed before it was complete" if attrs["status"] == "running" else attrs["status"],

@@ -25,6 +25,7 @@ from moorage.results import (
     StreamWriter,
     bending_of,
     fingerprint,
+    lines_off_the_grid_now,
     load_checkpoint,
     make_index,
     plan_outputs,
@@ -90,7 +91,7 @@ def solve_statics(model: Model) -> xr.Dataset:
     )
     warn_of_tight_bends(ds)
     warn_of_overloads(ds)
-    warn_of_lines_off_the_grid(ds)
+    warn_of_lines_off_the_grid(lines_off_the_grid_now(built))
     return ds
 
 
@@ -248,7 +249,7 @@ def simulate(
     mark_warm()
     warn_of_tight_bends(result)
     warn_of_overloads(result)
-    warn_of_lines_off_the_grid(result)
+    warn_of_lines_off_the_grid(lines_off_the_grid_now(march.built))
     return result
 
 

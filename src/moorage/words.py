@@ -7,7 +7,7 @@ from math import hypot
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from moorage.model import Current, CurrentGrid, Environment, Turbine
+    from moorage.model import Current, CurrentGrid, Environment, Friction, Turbine
 
 
 def sea_words(attrs: Mapping[str, Any]) -> str:
@@ -46,11 +46,14 @@ def seabed_words(environment: Environment) -> str:
     if environment.soil is not None:
         parts.append(f"soil with a memory, s_u = {environment.soil}")
     if friction is not None:
-        axial, transverse = f"{friction.axial:g}", f"{friction.transverse:g}"
-        size = "by a map" if friction.map else f"{axial} along and {transverse} across the line"
-        size = "by two curves" if friction.model == "soil-curves" else size
-        parts.append(f"friction {friction.model}, {size}")
+        parts.append(f"friction {friction_words(friction)}")
     return "; ".join(parts)
+
+
+def friction_words(friction: Friction) -> str:
+    """Return the law of friction and its kinetic coefficients in words."""
+    size = "by a map" if friction.map else f"{friction.axial:g} along and {friction.transverse:g} across the line"
+    return f"{friction.model}, {'by two curves' if friction.model == 'soil-curves' else size}"
 
 
 def turbine_words(turbines: Iterable[Turbine]) -> str:

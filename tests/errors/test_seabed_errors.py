@@ -17,7 +17,7 @@ from moorage.model.seabed import raise_to_seabed
 NATIVE = """moorage: 1
 environment:
   water_depth: 200
-  friction: {axial: 0.5, transverse: 0.7, static_ratio: 1.1}
+  friction: {model: stick-slip, axial: 0.5, transverse: 0.7, static_ratio: 1.1}
   bathymetry:
     x: [-1000, 0]
     y: [-100, 100]
@@ -73,6 +73,11 @@ FILES = {
         "2 1\n0 1 2\n0\n0 0 -200\n1 0 -200\n",
         "SeafloorFile",
         "depths.txt:2: row of the depth file is not",
+    ),
+    "more rows than the count": (
+        "--- grid ---\nnGridX 2\nnGridY 2\n0 1\n0 200 200\n1 200 200\n2 200 200\n",
+        "WtrDpth",
+        r"depths.txt:7: depth file has more rows of depths than 2 \(nGridY\)",
     ),
     "no depth": ("2 1\n0 1\n0\n0 0 nan\n1 0 -200\n", "SeafloorFile", "depths.txt:4: row of the depth file is not"),
 }
@@ -134,6 +139,17 @@ def test_weak_damper_is_told_with_its_lines():
     assert "reaches 0.029 % of Coulomb's friction at 0.1 m/s on line 1" in problem.message
     assert "elastic-slip" in problem.remedy
     assert float(problem.remedy.split()[1]) == pytest.approx(0.9 * 68.2e3 / 0.1, rel=0.05)
+
+
+def test_static_friction_of_a_law_without_it_is_told():
+    (problem,) = suspicious(chain(friction=Friction(axial=0.5, static_ratio=1.5)))
+    assert problem.message == "static_ratio of seabed friction has no effect on the model elastic-slip"
+    assert suspicious(chain(friction=Friction(axial=0.5, static_ratio=1.5, model="stick-slip"))) == []
+
+
+def test_unknown_law_from_python():
+    with pytest.raises(ModelError, match=r"model of seabed friction is not known \(read: 'coulomb'\)"):
+        check(chain(friction=Friction(axial=0.5, model="coulomb")))
 
 
 def test_finer_meshes_and_stronger_dampers_are_nearer_to_coulomb():
@@ -228,9 +244,9 @@ def test_a_line_that_lies_off_the_grid_at_the_end_is_told(tmp_path):
         moorage.simulate(model, **settings)
     narrow = dataclasses.replace(GRID, y=(-50.0, 10.0))
     model = dataclasses.replace(model, environment=dataclasses.replace(model.environment, bathymetry=narrow))
-    for output in (None, tmp_path / "run.nc"):
+    for output, save in ((None, "all"), (tmp_path / "run.nc", "all"), (None, "tensions")):
         with pytest.warns(ModelWarning) as told:
-            moorage.simulate(model, output=output, **settings).close()
+            moorage.simulate(model, output=output, save=save, **settings).close()
         words = [str(warning.message) for warning in told]
         assert any(text.startswith("point 1 is outside") for text in words)
         assert any(text.startswith("line 1 lies outside the depth grid with") for text in words)

@@ -650,7 +650,7 @@ def test_no_energy_is_gained_in_a_closed_loop(name):
     for r0, r in pairwise(path):
         force = np.array(friction_terms(p, i, N, UP, ALONG, tuple(r), zero, stuck, STIFFNESS)[0])
         work += 0.5 * (force + before) @ (r - r0)
-        stuck, lost = stuck_after(p, i, N, UP, ALONG, tuple(r), zero, stuck, STIFFNESS)
+        stuck, lost = stuck_after(p, i, N, UP, ALONG, tuple(r), zero, stuck, 0.01, STIFFNESS)
         heat, before = heat + lost, force
         assert lost >= 0.0
     held = 0.5 * 2e5 * np.sum((path[-1] - np.array(stuck)) ** 2)

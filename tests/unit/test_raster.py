@@ -342,3 +342,8 @@ def test_errors_of_a_native_file(tmp_path, seabed, message):
         warnings.simplefilter("ignore")
         with pytest.raises(ModelError, match=message):
             moorage.read(tmp_path / "model.yaml")
+
+
+def test_fill_from_python_is_a_depth_or_nearest(tmp_path):
+    with pytest.raises(ModelError, match=r"fill of the depth grid is not known \(read: 'linear'\)"):
+        moorage.read_bathymetry(esri(tmp_path / "a.asc"), **OPTIONS, fill="linear")

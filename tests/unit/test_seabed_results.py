@@ -108,13 +108,33 @@ def test_energy_is_the_work_of_the_friction(rough):
     assert energy[-1] > 0.0
 
 
+@pytest.mark.parametrize("law", ["elastic-slip", "stick-slip"])
+def test_energy_never_falls_and_holds_what_dampers_take(law):
+    """On steps of 20 ms, on which nodes of stick-slip go back before their springs do; chains lie and let go."""
+    friction = Friction(axial=0.5, transverse=0.7, model=law)
+    points = [fixed(1, 0.0, 0.0, -100.0), coupled(2, 150.0, 0.0, 0.0)]
+    rope = kind("chain", mass_per_length=100.0, axial_stiffness=5e7, axial_damping_ratio=0.3, transverse_drag=1.2)
+    model = mooring(
+        rope, points, [line(1, 1, 2, ("chain", 210.0, 21))], water_depth=100.0, seabed_stiffness=1e6, friction=friction
+    )
+    moved = Motion.from_harmonics(20.0, ramp=3.0, surge=(3.0, 8.0), sway=(2.0, 6.0))
+    ds = moorage.simulate(model, motion=moved, duration=20.0, dt_out=0.02, time_step=0.02)
+    energy = ds["dissipated_energy"].values[:, 0]
+    assert np.all(np.diff(energy) >= 0.0)
+    force, way = ds["friction_force"].values, np.diff(ds["node_position"].values, axis=0)
+    held = (force[-1] ** 2).sum() / (2.0 * 1e6 * 0.1 * 10.0)  # what springs hold at the end, at most
+    work = -(0.5 * (force[1:] + force[:-1]) * way).sum()
+    assert work - held - 0.03 * work < energy[-1] < 1.03 * work
+    assert ds.attrs["friction"] == f"{law}, 0.5 along and 0.7 across the line"
+
+
 @pytest.mark.parametrize("dt_nodes", [None, 0.5])
 def test_a_file_holds_what_memory_does(surge, tmp_path, dt_nodes):
     model = sloping(friction=Friction(axial=0.5, transverse=0.7, model="stick-slip", static_ratio=1.2))
     settings = {"motion": surge, "duration": 3.0, "dt_out": 0.25, "dt_nodes": dt_nodes}
     memory = moorage.simulate(model, **settings)
     with moorage.simulate(model, output=tmp_path / "run.nc", **settings) as file:
-        for name in (*HISTORIES, "anchor_uplift_force", "anchor_uplift_angle"):
+        for name in (*HISTORIES, *OVER_TIME, "anchor_uplift_angle"):
             np.testing.assert_array_equal(file[name].values, memory[name].values, err_msg=name)
             assert file[name].dtype == memory[name].dtype
         assert file["bed_level"].equals(memory["bed_level"])

@@ -136,11 +136,14 @@ def test_random_grid_keeps_its_depths(smooth):
             assert bed_at(bed, x, y)[0] == pytest.approx(-ROUGH[i, j], abs=1e-12)
 
 
-def test_random_grid_is_what_the_model_says():
-    depth_at = Bathymetry(tuple(X), tuple(Y), tuple(map(tuple, ROUGH))).depth_at
-    bed = grid_bed(X, Y, ROUGH)
-    for x, y in RANDOM.uniform([X[0], Y[0]], [X[-1], Y[-1]], (300, 2)):
-        assert bed_at(bed, x, y)[0] == pytest.approx(-depth_at(x, y), abs=1e-12)
+@pytest.mark.parametrize("smooth", [False, True])
+def test_random_grid_is_what_the_model_says(smooth):
+    """Anchors, checks and first guesses take the depth of the surface on which the line lies, outside the grid too."""
+    bed = grid_bed(X, Y, ROUGH, smooth)
+    model = Bathymetry(tuple(X), tuple(Y), tuple(map(tuple, ROUGH)), smooth)
+    at = RANDOM.uniform([X[0] - 20.0, Y[0] - 20.0], [X[-1] + 20.0, Y[-1] + 20.0], (300, 2))
+    for x, y in at:
+        assert model.depth_at(x, y) == pytest.approx(-bed_at(bed, x, y)[0], abs=1e-9)
 
 
 def test_even_grid_is_found_at_once():

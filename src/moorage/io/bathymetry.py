@@ -49,6 +49,9 @@ def _matrix(lines: list[Row], found: Findings, source: Source) -> Grid:
     if len(table) < ny:
         found.add(f"depth file has {len(table)} rows of depths", f"give {ny} (nGridY)", source)
         return _NOTHING
+    if len(body) > ny + 1 and all(map(is_number, body[ny + 1].words)):
+        row = body[ny + 1]
+        found.add(f"depth file has more rows of depths than {ny} (nGridY)", "correct the count", row.source, row.text)
     _check_increase(x, "x", [body[0]] * nx, found)
     _check_increase(tuple(row[0] for row in table), "y", body[1 : ny + 1], found)
     depth = {(i, j): value for j, row in enumerate(table) for i, value in enumerate(row[1:])}

@@ -81,7 +81,7 @@ def read_bathymetry(
     path = Path(path)
     place = source or Source(str(path))
     where = Where(origin, heading, spacing, extent, crs, file_crs)
-    height = water_level - fill if isinstance(fill, int | float) else fill
+    height: Fill | None = fill if fill is None or isinstance(fill, str) else water_level - fill
     x, y, level, report = onto_grid(path, where, height, ("depth grid", "depth"), place)
     depth = tuple(map(tuple, (water_level - level).tolist()))
     return Bathymetry(tuple(x.tolist()), tuple(y.tolist()), depth, smooth, path.name, place, report)
@@ -104,6 +104,8 @@ def onto_grid(path: Path, where: Where, fill: Fill | None, words: tuple[str, str
     `words` are what messages call the grid and its values; `fill` is a value of the raster, or "nearest".
     """
     name, thing = words
+    if isinstance(fill, str) and fill != "nearest":
+        raise ModelError(Problem(f"fill of the {name} is not known", f"give nearest or a {thing}", place, fill))
     raster = read_raster(path, place)
     forth, back = to_file(raster, where.crs, where.file_crs, place)
     axes = Axes(where.origin, where.heading, forth, back)

@@ -97,7 +97,7 @@ SCHEMA: dict[str, dict[str, Key]] = {
         "shear_stiffness": Key("number", "Pa/m", "of the spring that holds a node that sticks, on d l"),
         "shear_damping": Key("number", "-", "of that spring in elastic-slip, over the critical one"),
         "velocity": Key("number", "m/s", "at which stick-slip falls, and velocity-dependent friction sticks"),
-        "laid": Key("flag", "-", "statics as laid slack from end A and pulled to place; false: without friction"),
+        "laid": Key("flag", "-", "statics as laid slack from the anchor and pulled to place; false: without friction"),
         "map": Key("friction map", "-", "coefficients over x and y, in place of axial and transverse"),
         "axial_curve": Key("curve", "m, -", "of soil-curves: displacement and mobilised coefficient along the line"),
         "transverse_curve": Key("curve", "m, -", "the same across the line"),

@@ -12,6 +12,7 @@ from moorage.model.seabed import ABOVE, above_seabed, is_anchor
 
 SPEED = 0.1  # m/s, at which saturated damping should be Coulomb's friction
 ENOUGH = 0.9
+KNOWS_STATIC = ("stick-slip", "saturated-damping", "velocity-dependent")
 RELATIVE = 1e-3  # of the depth, above which an anchor hangs over the seabed
 
 
@@ -40,6 +41,16 @@ def weak_friction(model: Model) -> list[Problem]:
     needed = friction.damping * ENOUGH / weak[least]
     remedy = f"give {needed:.2g} or more (cv, FricDamp, damping), or a native file with the model elastic-slip"
     return [Problem(message, remedy, friction.source)]
+
+
+def idle_static_friction(model: Model) -> list[Problem]:
+    """Return static friction that is asked for and that the law does not know."""
+    friction = model.environment.friction
+    if friction is None or friction.static_ratio == 1.0 or friction.model in KNOWS_STATIC:
+        return []
+    message = f"static_ratio of seabed friction has no effect on the model {friction.model}"
+    remedy = f"remove it, or choose {' or '.join(KNOWS_STATIC)}"
+    return [Problem(message, remedy, friction.source, friction.static_ratio)]
 
 
 def _percent(share: float) -> str:

@@ -13,7 +13,7 @@ from moorage.model.bed_checks import (
     maps_are_grids,
     soil_is_possible,
 )
-from moorage.model.bed_doubts import anchors_over_the_bed, points_off_the_grid, weak_friction
+from moorage.model.bed_doubts import anchors_over_the_bed, idle_static_friction, points_off_the_grid, weak_friction
 from moorage.model.cables import (
     clamps_are_apart,
     clamps_face_their_lines,
@@ -98,7 +98,8 @@ def lacking(model: Model) -> list[Problem]:
 def suspicious(model: Model) -> list[Problem]:
     """Return what can be run but is hardly meant."""
     doubts = (
-        pinned_junctions, folded_joints, weak_friction, points_off_the_grid, anchors_over_the_bed, steep_waves,
+        pinned_junctions, folded_joints, weak_friction, idle_static_friction, points_off_the_grid, anchors_over_the_bed,
+        steep_waves,
         growing_profiles, crowded_energy, doubtful_current, doubtful_directions, turbines_at_one_place,
         failures_that_never_come, loads_that_move_nothing, lendings, odd_types, odd_bodies, odd_water, short_lines,
         below_the_bed, odd_letters, nothing_there,

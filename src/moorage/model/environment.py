@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from bisect import bisect_right
 from dataclasses import dataclass, field
 from typing import Literal
 
 from moorage.errors import Source
 from moorage.model.components import Curve
 from moorage.model.current_grid import CurrentGrid
+from moorage.model.depths import bicubic, bilinear
 from moorage.model.waves import Waves
 
 
@@ -54,22 +54,8 @@ class Bathymetry:
     resampling: Resampling | None = field(default=None, compare=False, repr=False)
 
     def depth_at(self, x: float, y: float) -> float:
-        """Return the depth (m) at a place: bilinear between the grid's points, the nearest edge outside."""
-        i, u = _bracket(self.x, x)
-        j, v = _bracket(self.y, y)
-        d = self.depth
-        low = d[i][j] + u * (d[min(i + 1, len(d) - 1)][j] - d[i][j])
-        j1 = min(j + 1, len(self.y) - 1)
-        high = d[i][j1] + u * (d[min(i + 1, len(d) - 1)][j1] - d[i][j1])
-        return low + v * (high - low)
-
-
-def _bracket(levels: tuple[float, ...], value: float) -> tuple[int, float]:
-    """Return the interval of increasing levels that holds a value, and the place in it (0 to 1)."""
-    k = max(0, min(bisect_right(levels, value) - 1, len(levels) - 2))
-    if len(levels) == 1:
-        return 0, 0.0
-    return k, min(1.0, max(0.0, (value - levels[k]) / (levels[k + 1] - levels[k])))
+        """Return the depth (m) at a place, on the nearest edge outside."""
+        return (bicubic if self.smooth else bilinear)(self.x, self.y, self.depth, x, y)
 
 
 @dataclass(frozen=True)
@@ -123,8 +109,9 @@ class Friction:
         Of that spring in elastic-slip, over the critical damping of a node's mass on it, -. Without, nodes that stick
         go on ringing.
     laid : bool
-        Whether statics know friction: the line was laid without tension from end A along the bed, and then pulled to
-        its place, so that tension falls from the touchdown towards the anchor. Otherwise statics are without friction.
+        Whether statics know friction: the line was laid without tension along the bed, from the end that stands on it
+        (end A when both do), and then pulled to its place, so that tension falls from the touchdown towards the anchor.
+        Otherwise statics are without friction.
     velocity : float
         At which stick-slip has lost half of what static friction has above kinetic, or velocity-dependent friction
         reaches its static coefficient, m/s.

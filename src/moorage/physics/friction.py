@@ -121,9 +121,9 @@ def way_along(n, r, stuck):
 
 
 @inlined
-def stuck_after(p, i, N, n, q, r, v, stuck, c):
-    """Where a node sticks after a step: where it did, or after slipping where its spring gives the friction; and the
-    energy that slipping took, J.
+def stuck_after(p, i, N, n, q, r, v, stuck, h, c):
+    """Where a node sticks after a step of length h: where it did, or after slipping where its spring gives the
+    friction; and the energy that slip and damper took, J: the work of friction less what the spring stores of it.
 
     q: along the line, of any length.
     """
@@ -135,12 +135,18 @@ def stuck_after(p, i, N, n, q, r, v, stuck, c):
     w = sub(v, scale(dot(v, n), n))
     trial = trial_force(p, i, n, v, r, stuck)
     share = share_given(p, coefficients(p, r), N, n, q, w, trial)
+    damped = taken_by_damper(p, i, w, h)
     if share >= 1.0:
-        return stuck, 0.0
+        return stuck, damped
     # the spring keeps its share of the force, not what the damper gave: it would drive the node on when that slows down
-    slips = math.sqrt(share)
-    place = sub(r, scale(slips, way_along(n, r, stuck)))
-    return place, -slips * dot(trial, sub(place, stuck))
+    slips, way = math.sqrt(share), way_along(n, r, stuck)
+    return sub(r, scale(slips, way)), slips * ((1.0 - slips) * p.spring[i] * dot(way, way) + damped)
+
+
+@inlined
+def taken_by_damper(p, i, w, h):
+    """Energy (J) that the damper beside the spring takes in a step of length h, with the velocity w along the bed."""
+    return h * p.damper[i] * dot(w, w)
 
 
 @inlined

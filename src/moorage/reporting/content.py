@@ -19,6 +19,7 @@ from moorage.results import (
     envelope,
     has_static_tensions,
     line_summaries,
+    lines_off_the_grid,
     object_summaries,
     seabed_reports,
     warn_of_lines_off_the_grid,
@@ -81,7 +82,7 @@ def doubts(ds: xr.Dataset) -> list[str]:
         warnings.simplefilter("always")
         warn_of_tight_bends(ds)
         warn_of_overloads(ds)
-        warn_of_lines_off_the_grid(ds)
+        warn_of_lines_off_the_grid(lines_off_the_grid(ds))
     texts = [str(w.message) for w in caught if issubclass(w.category, ModelWarning)]
     status = str(ds.attrs["status"])
     if status != "complete":
@@ -117,6 +118,7 @@ def _environment(attrs: Mapping[str, object]) -> dict[str, str]:
         "current": str(attrs.get("current", "")),
         "seabed": str(attrs.get("bathymetry", "")),
         "soil": str(attrs.get("soil", "")),
+        "friction": str(attrs.get("friction", "")),
         "friction in statics": str(attrs.get("friction_in_statics", "")),
     }
 

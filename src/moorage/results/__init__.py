@@ -1,6 +1,6 @@
 """Records of a run as labelled datasets: in memory, streamed to disk, and back."""
 
-from moorage.results.bed_check import lines_off_the_grid, warn_of_lines_off_the_grid
+from moorage.results.bed_check import lines_off_the_grid, lines_off_the_grid_now, warn_of_lines_off_the_grid
 from moorage.results.bend_check import TightBend, tight_bends, warn_of_tight_bends
 from moorage.results.bending import bending_of
 from moorage.results.cable_report import CableReport, cable_reports
@@ -57,6 +57,7 @@ __all__ = [
     "line",
     "line_summaries",
     "lines_off_the_grid",
+    "lines_off_the_grid_now",
     "load_checkpoint",
     "make_index",
     "modes_report",

@@ -6,11 +6,14 @@ Verified by tests/unit/test_seabed_results.py.
 from __future__ import annotations
 
 import warnings
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 
 from moorage.errors import ModelWarning
+from moorage.physics.bathymetry import bed_at
+from moorage.system.build import Built
 
 
 def _values(values: Any) -> np.ndarray:
@@ -43,9 +46,24 @@ def lines_off_the_grid(source: Any) -> dict[int, int]:
     return dict(zip(owners.tolist(), counts.tolist(), strict=True))
 
 
-def warn_of_lines_off_the_grid(source: Any) -> None:
-    """Warn of every line that came to lie outside the depth grid."""
-    for line, count in lines_off_the_grid(source).items():
+def lines_off_the_grid_now(built: Built) -> dict[int, int]:
+    """Return the same of the present state, which needs no histories of nodes."""
+    bed, names, found = built.system.contact.bed, built.names, {}
+    for line, first, last in zip(names.lines.tolist(), names.node_ptr[:-1], names.node_ptr[1:], strict=True):
+        r = built.state.position[first:last]
+        off = np.zeros(len(r), dtype=bool)
+        for k, axis in enumerate((bed.x.at, bed.y.at)):
+            if len(axis) > 1:
+                off |= (r[:, k] < axis[0]) | (r[:, k] > axis[-1])
+        count = sum(z <= bed_at(bed, x, y)[0] for x, y, z in r[off])
+        if count:
+            found[line] = int(count)
+    return found
+
+
+def warn_of_lines_off_the_grid(found: Mapping[int, int]) -> None:
+    """Warn of every line that came to lie outside the depth grid, with so many of its nodes."""
+    for line, count in found.items():
         warnings.warn(
             f"line {line} lies outside the depth grid with {count} of its nodes, where the edge of the grid goes on "
             "level: give a grid that covers the whole mooring",

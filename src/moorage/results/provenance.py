@@ -9,7 +9,7 @@ from datetime import UTC, datetime
 
 from moorage.model import Model, Motion, OutputChannel
 from moorage.results.sea import sea_attributes
-from moorage.words import current_words, turbine_words
+from moorage.words import current_words, friction_words, turbine_words
 
 
 def run_attributes(
@@ -50,12 +50,13 @@ def fingerprint(model: Model, motion: Motion | None, settings: Mapping[str, obje
 
 
 def _seabed(model: Model) -> dict[str, str]:
-    """Return where the depth grid comes from, what was lost on the way, and the soil."""
-    grid, soil = model.environment.bathymetry, model.environment.soil
-    strength = {"soil": f"with a memory, s_u = {soil}"} if soil else {}
+    """Return where the depth grid comes from, what was lost on the way, the soil, and the law of friction."""
+    grid, soil, friction = model.environment.bathymetry, model.environment.soil, model.environment.friction
+    words = {"soil": f"with a memory, s_u = {soil}"} if soil else {}
+    words |= {"friction": friction_words(friction)} if friction and friction.largest > 0.0 else {}
     if grid is None:
-        return strength
-    return strength | {
+        return words
+    return words | {
         "bathymetry": ", ".join(filter(None, [grid.file or "a grid", str(grid.resampling or "")])),
         "bathymetry_interpolation": "bicubic" if grid.smooth else "bilinear",
     }

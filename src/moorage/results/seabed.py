@@ -4,9 +4,9 @@ The *uplift* of an anchor is the pull of the line on it away from the seabed: th
 where end A stands at the start, and its angle over the bed. Neither is below zero while line lies on the bed, because
 half a segment that weighs down on the anchor is no pull.
 
-The *dissipated energy* is that of friction alone, summed in the steps of the run: of laws that stick the force times
-the way that a node slips, of laws of the velocity the integral of the *power*, the sum of -F . v over the nodes of a
-line. The power itself is of the node histories, and also holds what goes into springs of nodes that stick.
+The *dissipated energy* is that of friction alone, summed in the steps of the run: of laws that stick what slip and
+damper take, of laws of the velocity the integral of the *power*, the sum of -F . v over the nodes of a line. The power
+itself is of the node histories, and also holds what goes into springs of nodes that stick.
 
 Verified by tests/unit/test_seabed_results.py.
 """

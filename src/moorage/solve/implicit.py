@@ -17,7 +17,16 @@ from moorage._jit import inlined, kernel, part
 from moorage._vec3 import add, dot, get, mat_get, mat_put, put, scale, sub
 from moorage.layout import BASE, Weights, line_nodes, memory_of, point_row, put_memory
 from moorage.physics.contact import near_bed, penetration
-from moorage.physics.friction import ELASTIC, NONE, SOIL, STICK_SLIP, friction_terms, remembers, stuck_after
+from moorage.physics.friction import (
+    ELASTIC,
+    NONE,
+    SOIL,
+    STICK_SLIP,
+    friction_terms,
+    remembers,
+    stuck_after,
+    taken_by_damper,
+)
 from moorage.physics.rigid import SIZE
 from moorage.physics.soil import remember
 from moorage.solve.newton import assemble_island, newton_island, shift, solve_island
@@ -197,16 +206,17 @@ def stick_island(system, now, trial, load, island, h):
         heat, power = 0.0, 0.0
         for i in range(first, last + 1):
             r, N = get(trial.position, i), load[i, 0]
-            place = r
+            place, s, v = r, get(now.stuck, i), get(trial.velocity, i)
+            n, node = (load[i, 1], load[i, 2], load[i, 3]), np.uintp(i)
             if N < 0.0:
-                place = get(now.stuck, i)
+                place = s
+                heat += taken_by_damper(system.friction, node, sub(v, scale(dot(v, n), n)), h)
             elif N > 0.0 and rubs:
                 q = sub(get(trial.position, min(i + 1, last)), get(trial.position, max(i - 1, first)))
-                n, v, node = (load[i, 1], load[i, 2], load[i, 3]), get(trial.velocity, i), np.uintp(i)
                 if sticks:
-                    place, lost = stuck_after(system.friction, node, N, n, q, r, v, get(now.stuck, i), c)
+                    place, lost = stuck_after(system.friction, node, N, n, q, r, v, s, h, c)
                     heat += lost
-                    load[i, 0] = N if lost > 0.0 else -1.0
+                    load[i, 0] = -1.0 if place == s else N
                 else:
                     power -= dot(friction_terms(system.friction, node, N, n, q, r, v, r, c)[0], v)
             put(trial.stuck, i, place)

@@ -124,7 +124,7 @@ def walk(system, state, start, load, line, i, last, carried, c):
     a = get(state.acceleration, i)
     force, own, rubbed, normal = node_terms(system, n, hydro, q, water_of(state, i), r, v, a, start, c)
     load[n, 0] = rubbed
-    if rubbed > 0.0:
+    if rubbed != 0.0:
         load[n, 1], load[n, 2], load[n, 3] = normal
     force = add(force, sub(pull, pull_before))
     force = force[0], force[1], force[2] + lift_before + share * buoyancy

@@ -11,6 +11,7 @@ from moorage.physics.hanging import hanging
 from moorage.physics.motion import sample_track
 
 TOUCHES = 1e-5  # relative depth at which an end counts as on the seabed
+HALVINGS = 40  # to place a node within a billionth of a segment
 
 
 def place_guess(model: Model, system: System, state: State, length, weight) -> None:
@@ -28,7 +29,8 @@ def place_guess(model: Model, system: System, state: State, length, weight) -> N
         part = slice(rows[k] - k, rows[k + 1] - k - 1)
         nodes = line_guess(a, b, length[part], system.tension.spring[part] * length[part], weight[part], model)
         state.position[rows[k] : rows[k + 1]] = nodes
-        state.stuck[rows[k] : rows[k + 1]] = laid_slack(nodes, length[part])
+        laid = model.environment.friction is not None and model.environment.friction.laid
+        state.stuck[rows[k] : rows[k + 1]] = laid_slack(nodes, length[part], model) if laid else nodes
 
 
 def hang_chains(model: Model, system: System, state: State, length, weight) -> np.ndarray:
@@ -74,11 +76,44 @@ def joined_chains(system: System) -> list[list[tuple[int, int]]]:
     return chains
 
 
-def laid_slack(nodes, length) -> np.ndarray:
-    """Positions (nodes, 3) along the same way from end A, but with every segment at its unstretched length."""
+def laid_slack(nodes, length, model: Model) -> np.ndarray:
+    """Positions (nodes, 3) of a line that lies slack, every segment at its unstretched length (m).
+
+    It is laid along the bed, straight from the end that stands on it towards the other one: from end A when both do.
+    Between ends in the water it keeps to the way of `nodes` from end A.
+    """
+    on_bed = [stands_on_bed(end, model) for end in (nodes[0], nodes[-1])]
+    span = nodes[-1, :2] - nodes[0, :2]
+    way = float(np.hypot(*span))
+    if way > 0.0 and on_bed[0]:
+        return laid_along_bed(nodes[0], span / way, length, model)
+    if way > 0.0 and on_bed[1]:
+        return laid_along_bed(nodes[-1], -span / way, length[::-1], model)[::-1]
     e = np.diff(nodes, axis=0)
     e *= (length / np.maximum(np.linalg.norm(e, axis=1), 1e-300))[:, None]
     return np.concatenate([nodes[:1], nodes[0] + np.cumsum(e, axis=0)])
+
+
+def laid_along_bed(start, heading, length, model: Model) -> np.ndarray:
+    """Positions (nodes, 3) on the bed at these distances (m) from one to the next, from a start along a heading."""
+    at, depth_at = np.array(start), model.environment.depth_at
+    placed = [at]
+
+    def next_node(run: float) -> np.ndarray:
+        x, y = at[:2] + run * heading
+        return np.array([x, y, -depth_at(x, y)])
+
+    for l in length.tolist():
+        short, long = 0.0, l  # of the way ahead, m: the node is between
+        for _ in range(HALVINGS):
+            middle = 0.5 * (short + long)
+            if float(np.linalg.norm(next_node(middle) - at)) < l:
+                short = middle
+            else:
+                long = middle
+        at = next_node(0.5 * (short + long))
+        placed.append(at)
+    return np.array(placed)
 
 
 def line_guess(a, b, length, stiffness, weight, model: Model) -> np.ndarray:
@@ -87,7 +122,7 @@ def line_guess(a, b, length, stiffness, weight, model: Model) -> np.ndarray:
     chord = b - a
     span, rise = float(np.hypot(chord[0], chord[1])), float(chord[2])
     environment = model.environment
-    touches = [end[2] <= -environment.depth_at(end[0], end[1]) * (1.0 - TOUCHES) for end in (a, b)]
+    touches = [stands_on_bed(end, model) for end in (a, b)]
     if np.ptp(weight) > 1e-9 * np.abs(weight).max():
         shape = hanging(span, rise, length, stiffness, weight * length, touches[0 if rise >= 0.0 else 1])
     else:
@@ -102,6 +137,11 @@ def line_guess(a, b, length, stiffness, weight, model: Model) -> np.ndarray:
     if not environment.bathymetry:  # a sag, or a wave's foot, may be lower
         nodes[1:-1, 2] = np.maximum(nodes[1:-1, 2], min(-environment.water_depth, a[2], b[2]))
     return lifted(nodes, model)
+
+
+def stands_on_bed(end, model: Model) -> bool:
+    """Return whether an end of a line stands on the seabed."""
+    return bool(end[2] <= -model.environment.depth_at(end[0], end[1]) * (1.0 - TOUCHES))
 
 
 def lifted(nodes, model: Model) -> np.ndarray:
