@@ -79,9 +79,7 @@ def _address_of(_, held, c):
     return NativeValue(address)
 
 
-@intrinsic
-def held_values(_, held):
-    """The tuple of a `Held`, in a kernel."""
+def _values_of(_, held):
 
     def generate(context, builder, signature, arguments):
         inner = signature.return_type
@@ -93,14 +91,19 @@ def held_values(_, held):
     return held.inner(held), generate
 
 
-@intrinsic
-def _put(_, address, values):
+held_values: Any = intrinsic(_values_of)  # the tuple of a `Held`, in a kernel
+
+
+def _put_at(_, address, values):
     def generate(context, builder, signature, arguments):
         place = builder.inttoptr(arguments[0], context.get_value_type(signature.args[1]).as_pointer())
         builder.store(arguments[1], place)
         return context.get_dummy_value()
 
     return types.void(address, values), generate
+
+
+_put: Any = intrinsic(_put_at)
 
 
 @kernel
@@ -136,8 +139,7 @@ class Snapshot:
         _copy_blocks(self._return)
 
 
-@intrinsic
-def _copy_block(_, target, source, size):
+def _copy_bytes(_, target, source, size):
     def generate(context, builder, signature, arguments):
         pointer = cgutils.voidptr_t
         target, source = (builder.inttoptr(a, pointer) for a in arguments[:2])
@@ -145,6 +147,9 @@ def _copy_block(_, target, source, size):
         return context.get_dummy_value()
 
     return types.void(target, source, size), generate
+
+
+_copy_block: Any = intrinsic(_copy_bytes)
 
 
 @kernel

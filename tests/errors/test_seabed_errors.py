@@ -148,7 +148,9 @@ def test_static_friction_of_a_law_without_it_is_told():
 
 
 def test_unknown_law_from_python():
-    with pytest.raises(ModelError, match=r"model of seabed friction is not known \(read: 'coulomb'\)"):
+    with pytest.raises(
+        ModelError, match=r"model of friction of environment is not one of elastic-slip.*\(read: 'coulomb'\)"
+    ):
         check(chain(friction=Friction(axial=0.5, model="coulomb")))
 
 

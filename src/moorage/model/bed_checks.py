@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import pairwise
 from math import isfinite
-from typing import get_args, get_type_hints
 
 from moorage.errors import Problem
 from moorage.model.bed_doubts import extent, is_inside
@@ -13,8 +12,6 @@ from moorage.model.components import Curve
 from moorage.model.environment import Bathymetry, Friction, FrictionMap, Soil, StiffnessMap
 from moorage.model.model import Model
 from moorage.model.seabed import is_anchor
-
-MODELS = get_args(get_type_hints(Friction)["model"])
 
 
 def depths_are_positive(model: Model) -> Iterator[Problem]:
@@ -59,10 +56,6 @@ def friction_is_possible(model: Model) -> Iterator[Problem]:
     friction = model.environment.friction
     if friction is None:
         return
-    if friction.model not in MODELS:
-        yield Problem(
-            "model of seabed friction is not known", f"give {', '.join(MODELS)}", friction.source, friction.model
-        )
     for name in ("transverse", "axial", "shear_damping"):
         if getattr(friction, name) < 0.0:
             message = f"{name.replace('_', ' ')} of seabed friction must not be negative"

@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from moorage.errors import Source
+from moorage.model.plain import keep_plain
 
 PointKind = Literal["fixed", "coupled", "free"]
 ObjectKind = Literal["fixed", "coupled", "free", "pinned", "coupled-pinned"]
@@ -25,6 +26,9 @@ class Curve:
     x: tuple[float, ...]
     y: tuple[float, ...]
     file: str = field(default="", compare=False)
+
+    def __post_init__(self) -> None:
+        keep_plain(self, "x", "y")
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -9,6 +9,7 @@ from moorage.errors import Source
 from moorage.model.components import Curve
 from moorage.model.current_grid import CurrentGrid
 from moorage.model.depths import bicubic, bilinear
+from moorage.model.plain import keep_plain
 from moorage.model.waves import Waves
 
 
@@ -53,6 +54,9 @@ class Bathymetry:
     source: Source | None = field(default=None, compare=False, repr=False)
     resampling: Resampling | None = field(default=None, compare=False, repr=False)
 
+    def __post_init__(self) -> None:
+        keep_plain(self, "x", "y", "depth")
+
     def depth_at(self, x: float, y: float) -> float:
         """Return the depth (m) at a place, on the nearest edge outside."""
         return (bicubic if self.smooth else bilinear)(self.x, self.y, self.depth, x, y)
@@ -71,6 +75,9 @@ class FrictionMap:
     transverse: tuple[tuple[float, ...], ...]
     source: Source | None = field(default=None, compare=False, repr=False)
 
+    def __post_init__(self) -> None:
+        keep_plain(self, "x", "y", "axial", "transverse")
+
 
 @dataclass(frozen=True)
 class StiffnessMap:
@@ -83,6 +90,9 @@ class StiffnessMap:
     y: tuple[float, ...]
     stiffness: tuple[tuple[float, ...], ...]
     source: Source | None = field(default=None, compare=False, repr=False)
+
+    def __post_init__(self) -> None:
+        keep_plain(self, "x", "y", "stiffness")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -203,6 +213,9 @@ class Current:
     z: tuple[float, ...] = (0.0,)
     velocity: tuple[tuple[float, float, float], ...] = ((0.0, 0.0, 0.0),)
     source: Source | None = field(default=None, compare=False, repr=False)
+
+    def __post_init__(self) -> None:
+        keep_plain(self, "z", "velocity")
 
 
 @dataclass(frozen=True, kw_only=True)
