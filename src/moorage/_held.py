@@ -46,19 +46,25 @@ class Held:
         self.address = self._memory.ctypes.data
         _fill(np.uint64(self.address), values)
 
+    def __reduce__(self):
+        """A copy has an address of its own, of copied arrays."""
+        return Held, (self.values,)
+
 
 def _type_and_size(values):
     """Return the type for a tuple, and the size of the tuple in memory, bytes.
 
-    numba takes 2 ms to name the type of a large tuple, and 60 us to find that it is the only one that it knows.
+    numba takes 2 ms to name the type of a large tuple, and 60 us to find it among those that it knows.
     """
     _fill(np.uint64(0), values)
-    return _of_the_first() if len(_fill.signatures) == 1 else _type_and_size_of(typeof(values))
+    return _only_one(type(values), len(_fill.signatures)) or _type_and_size_of(typeof(values))
 
 
 @functools.cache
-def _of_the_first():
-    return _type_and_size_of(_fill.signatures[0][1])
+def _only_one(kind, _):
+    """Return what belongs to the only known type of tuples of a class; None where there are several of it."""
+    known = [signature[1] for signature in _fill.signatures if signature[1].instance_class is kind]
+    return _type_and_size_of(known[0]) if len(known) == 1 else None
 
 
 def _type_and_size_of(inner):
@@ -129,6 +135,10 @@ class Snapshot:
         sizes = [a.nbytes for a in arrays]
         self._keep = np.array([there, here, sizes], np.uint64).T.copy()
         self._return = np.array([here, there, sizes], np.uint64).T.copy()
+
+    def __reduce__(self):
+        """A copy keeps copied arrays."""
+        return Snapshot, (self.arrays,)
 
     def keep(self) -> None:
         """Copy the arrays as they are now."""

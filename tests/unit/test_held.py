@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import subprocess
 import sys
 
@@ -83,6 +84,22 @@ def test_snapshot_goes_back():
     snapshot.go_back()
     for array, before in zip(arrays, kept, strict=True):
         np.testing.assert_array_equal(array, before)
+
+
+def test_copies_have_arrays_of_their_own():
+    held = Held(outer())
+    other = copy.deepcopy(held)
+    assert total(other, 1) == 60.0
+    assert other.values.mass[1, 0] == 60.0
+    assert held.values.mass[1, 0] == 0.0
+    array = np.arange(3.0)
+    snapshot = copy.deepcopy(Snapshot([array]))
+    snapshot.arrays[0][:] = 7.0
+    snapshot.keep()
+    snapshot.arrays[0][:] = 8.0
+    snapshot.go_back()
+    assert snapshot.arrays[0].tolist() == [7.0] * 3
+    assert array.tolist() == [0.0, 1.0, 2.0]
 
 
 def test_strided_arrays_are_no_blocks_of_memory():

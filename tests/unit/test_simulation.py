@@ -1,5 +1,6 @@
 """The door for hosts: the mooring of a simulation, step by step, with the chance to try again."""
 
+import copy
 from pathlib import Path
 
 import numpy as np
@@ -124,3 +125,17 @@ def test_a_bad_call_leaves_the_state_as_it_was(sim, time, position, words):
     for name in before:
         np.testing.assert_array_equal(after[name], before[name], err_msg=name)
     assert sim.time == 0.1
+
+
+def test_a_copy_goes_its_own_way(sim):
+    """A host may try two futures: the copy has the same past, and what it does leaves the original alone."""
+    rest, slow = sim.position.copy(), np.full_like(sim.position, 0.1)
+    again = moorage.Simulation(moorage.read(EXAMPLE))
+    for simulation in (sim, again):
+        simulation.initialize()
+        simulation.step(0.1, rest + 0.01, slow)
+    twin = copy.deepcopy(sim)
+    away = twin.step(0.2, rest + 1.0, 10.0 * slow)
+    here = sim.step(0.2, rest + 0.02, slow)
+    np.testing.assert_array_equal(again.step(0.2, rest + 0.02, slow), here)
+    assert np.abs(away - here).max() > 1e3

@@ -67,7 +67,7 @@ class March:
         self._counted = np.zeros(3, dtype=np.int64)  # by the systems before
         self._rows = 0  # output times recorded so far, time 0 included
         self._node_rows = 0
-        self._held: Held | None = None
+        self._held: list[Held] = []
         self._begin(0.0, built)
 
     def _begin(self, time: float, built: Built, made: Sequence[Made] = ()) -> None:
@@ -296,14 +296,19 @@ class March:
         raise Break(int(self.built.system.breaks.rows[clocks.row[first], 2]), float(clocks.time[first]))
 
     def hold(self, record: Record) -> Held:
-        """Return what the march works on as kernels take it, made anew only where something else is meant."""
+        """Return what the march works on as kernels take it, made anew only where something else is meant.
+
+        A host's records are few: one of forces, one of what it asks for.
+        """
         built = self.built
         parts = Marching(
             built.system, self.old, built.state, built.work, self.clocks, self.control, built.island_of_line, record
         )
-        if self._held is None or not all(map(is_, parts, self._held.values)):
-            self._held = Held(parts)
-        return self._held
+        for held in self._held:
+            if all(map(is_, parts, held.values)):
+                return held
+        self._held = [Held(parts), *self._held[:3]]
+        return self._held[0]
 
     def block(self, record: Record, rows: int, node_rows: int) -> Block:
         """Split the buffers into named arrays of the first `rows` times."""
