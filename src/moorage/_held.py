@@ -57,7 +57,8 @@ def _type_and_size(values):
     numba takes 2 ms to name the type of a large tuple, and 60 us to find it among those that it knows.
     """
     _fill(np.uint64(0), values)
-    return _only_one(type(values), len(_fill.signatures)) or _type_and_size_of(typeof(values))
+    kind: Any = type(values)
+    return _only_one(kind, len(_fill.signatures)) or _type_and_size_of(typeof(values))
 
 
 @functools.cache
