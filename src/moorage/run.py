@@ -232,6 +232,7 @@ def simulate(
         rows_written = _rows_written(saved.rows, layout.node_time) if saved else None
         nodes = settings.dt_nodes is not None
         text = MoordynOut(Path(moordyn_out), shown, room, layout.outputs, nodes, rows_written, VERSION, feed)
+        _warn_of_no_text(text)
     if output is None:
         result = stream(march, MemoryResult(layout, attrs), layout, progress, text=text)
     else:
@@ -284,6 +285,17 @@ def _rows(duration: float, settings: Settings) -> dict[str, int]:
 def _rows_written(rows: Mapping[str, int], node_time: str) -> dict[str, int]:
     """Return the numbers of times and of node histories in a result."""
     return {"time": rows["time"], "node_time": rows["node_time" if node_time == "node_time" else "time"]}
+
+
+def _warn_of_no_text(text: MoordynOut) -> None:
+    """Warn where MoorDyn's files were asked for and a model asks for none of them."""
+    if not text.files:
+        warnings.warn(
+            "no .out file is written: the model has no output channel, and no line, rod or body that asks for a file\n"
+            "    -> Name channels (OUTPUTS in MoorDyn's files, outputs in native ones), or letters in the outputs of lines",
+            ModelWarning,
+            stacklevel=3,
+        )
 
 
 def _warn_of_rest(duration: float, end: float, dt_out: float) -> None:

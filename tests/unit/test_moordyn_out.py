@@ -214,3 +214,15 @@ def test_a_killed_run_has_every_reported_row(deck, tmp_path):
         assert float(whole[-1].split()[0]) >= last - 1e-4
         times = [float(line.split()[0]) for line in whole]
         np.testing.assert_allclose(times, 0.1 * np.arange(len(times)), atol=1e-4)
+
+
+def test_files_that_nothing_asks_for_are_told(deck, tmp_path):
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", moorage.ModelWarning)
+        model = moorage.read(deck(NO_STEP))
+    quiet = dataclasses.replace(
+        model, outputs=(), bodies=(), lines=tuple(dataclasses.replace(line, outputs="-") for line in model.lines)
+    )
+    with pytest.warns(moorage.ModelWarning, match=r"no \.out file is written: .*\n.*OUTPUTS"):
+        moorage.simulate(quiet, duration=0.1, moordyn_out=tmp_path / "run")
+    assert not list(tmp_path.glob("run*"))

@@ -94,7 +94,7 @@ def odd_letters(model: Model) -> Iterator[Problem]:
     for kind, things, letters in (("line", model.lines, LINE_LETTERS), ("rod", model.rods, ROD_LETTERS)):
         for thing in things:  # type: ignore[attr-defined]
             strange = "".join(letter for letter in thing.outputs if letter not in letters)
-            if strange:
+            if strange and thing.outputs != "-":
                 what = f"outputs of {kind} {thing.id} have letters that ask for nothing: {strange}"
                 yield Problem(what, f"use some of {letters}, or -", thing.source, thing.outputs)
 
