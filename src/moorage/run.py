@@ -292,7 +292,7 @@ def _warn_of_no_text(text: MoordynOut) -> None:
     if not text.files:
         warnings.warn(
             "no .out file is written: the model has no output channel, and no line, rod or body that asks for a file\n"
-            "    -> Name channels (OUTPUTS in MoorDyn's files, outputs in native ones), or letters in the outputs of lines",
+            "    -> Name channels (OUTPUTS of MoorDyn's files, outputs of native ones), or letters of lines' outputs",
             ModelWarning,
             stacklevel=3,
         )
