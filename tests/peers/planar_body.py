@@ -13,6 +13,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
+from integration import runge_kutta
 from planar_float import (
     ADDED,
     DRAG,
@@ -21,7 +22,6 @@ from planar_float import (
     RHO,
     Cylinder,
     G,
-    runge_kutta,
     water_of_moordyn,
     water_of_ours,
 )

@@ -11,6 +11,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
+from integration import runge_kutta
 from scipy.integrate import solve_bvp
 
 G = 9.80665
@@ -68,19 +69,13 @@ def shares(beam: Beam, nodes: int) -> np.ndarray:
 def swing(beam: Beam, start: np.ndarray, interval: float, count: int, step: float) -> np.ndarray:
     """Let go at places (n + 1, 2), m; return them every interval (s), (count, n + 1, 2), by Runge and Kutta."""
     free = np.append(0.0, 1.0 / (beam.mass * shares(beam, len(start))[1:]))[:, None]
-    y, seen = np.stack([start, np.zeros_like(start)]), []
 
     def rate(y):
         return np.stack([y[1], free * forces(beam, *y)])
 
-    for _ in range(count):
-        for _ in range(round(interval / step)):
-            a = rate(y)
-            b = rate(y + 0.5 * step * a)
-            c = rate(y + 0.5 * step * b)
-            y = y + step / 6.0 * (a + 2.0 * b + 2.0 * c + rate(y + step * c))
-        seen.append(y[0])
-    return np.array(seen)
+    every = round(interval / step)
+    _, states = runge_kutta(rate, np.stack([start, np.zeros_like(start)]), count * interval, step)
+    return states[every::every, 0]
 
 
 def elastica(beam: Beam) -> np.ndarray:

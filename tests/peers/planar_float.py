@@ -16,6 +16,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
+from integration import runge_kutta
 
 RHO, G = 1025.0, 9.80665
 DRAG, ADDED, END_DRAG, END_ADDED = 0.6, 1.0, 1.2, 1.0
@@ -131,19 +132,6 @@ def loads(state: np.ndarray, moordyn_water: bool, moordyn_kinematics: bool) -> t
         M += np.einsum("nia,nij,njb->ab", G_, m, G_)
         M[2, 2] += whole * (d**2 / 16.0 - rod.length**2 / (6.0 * n**2))
     return F, M
-
-
-def runge_kutta(slope, start: np.ndarray, duration: float, step: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return times (n,) and states (n, m) from a rate of the state, by the classic method of fourth order."""
-    states = [start]
-    for _ in range(round(duration / step)):
-        y = states[-1]
-        k1 = slope(y)
-        k2 = slope(y + 0.5 * step * k1)
-        k3 = slope(y + 0.5 * step * k2)
-        k4 = slope(y + step * k3)
-        states.append(y + step / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4))
-    return step * np.arange(len(states)), np.array(states)
 
 
 def run(duration: float, step: float = 0.02, moordyn_water: bool = True, moordyn_kinematics: bool = True):

@@ -13,6 +13,7 @@ Nothing of Moorage is used. How much of a segment is wet, and which of its nodes
 from __future__ import annotations
 
 import numpy as np
+from integration import runge_kutta
 
 G, RHO, DIAMETER, AXIAL, RATIO, LENGTH, WEIGHT = 9.80665, 1000.0, 0.1, 1e9, 0.01, 32.0, 10.0
 MASS = 7.85398  # kg/m, that of its water; nothing resists across
@@ -67,12 +68,6 @@ def fall(wetness, start: np.ndarray, interval: float, count: int, step: float) -
         f[1:, 1] += lift * wet[:, 1]
         return np.stack([v, free * f])
 
-    y, seen = np.stack([start, np.zeros_like(start)]), []
-    for _ in range(count):
-        for _ in range(round(interval / step)):
-            a = rate(y)
-            b = rate(y + 0.5 * step * a)
-            c = rate(y + 0.5 * step * b)
-            y = y + step / 6.0 * (a + 2.0 * b + 2.0 * c + rate(y + step * c))
-        seen.append(y[0])
-    return np.array(seen)
+    every = round(interval / step)
+    _, states = runge_kutta(rate, np.stack([start, np.zeros_like(start)]), count * interval, step)
+    return states[every::every, 0]

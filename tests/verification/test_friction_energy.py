@@ -11,7 +11,8 @@ N = w cos(10 deg), all for a metre, it stops after s where
 to 5e-5 of s (steps of 2 ms, of which the spring takes 20 to give way; measured: 5e-6). 1 % more friction fails.
 
 Closed way. A rope on the bed is led round closed ways by its ends, which lift and press its nodes. From turn to turn
-everything comes back, so that what the ends pay in a turn is what friction takes, to 1e-3. Damping of the bed and of the rope is off. 1 % more fails.
+everything comes back, so that what the ends pay in a turn is what friction takes, to 1e-3 (measured: 1.1e-4 at most), and
+what the result calls dissipated is that, to 1e-3 (measured: 4e-5). Damping of the bed and of the rope is off. 1 % more fails.
 
 Creep. A chain of 100 m lies on the slope, is pulled down by 2 cm at its lower end, and is held there for an hour: after
 the first minute no node moves by more than 1 mm (measured: 2 um by both laws; without damping of its springs, elastic slip
@@ -113,7 +114,7 @@ def check_turn(model: str, wrong: float = 1.0) -> None:
     paid, taken, told = turn(Friction(axial=0.5, transverse=0.7, model=model, damping=1e4, velocity=0.05))
     assert paid > 1e4
     assert wrong * paid == pytest.approx(taken, rel=1e-3)
-    assert told == pytest.approx(taken, rel=0.01)
+    assert told == pytest.approx(taken, rel=1e-3)
 
 
 @pytest.mark.parametrize("model", ["elastic-slip", "stick-slip", "saturated-damping", "velocity-dependent"])
