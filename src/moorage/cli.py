@@ -251,15 +251,9 @@ def check(file: ModelFile, raise_to_seabed: Raise = False) -> None:
         console.fact_table({f"{o.name} {o.value}": o.reason for o in model.unused_options})
     missing, lacking = moorage.unbuilt(model), moorage.lacking(model)
     doubts = [*moorage.suspicious(model), *([] if missing or lacking else moorage.backward_clamps(model))]
-    if doubts:
-        console.out.print("\nhardly meant", style="bold yellow")
-        for problem in doubts:
-            console.out.print(str(problem), markup=False, soft_wrap=True)
-    for title, problems in (("what it lacks", lacking), ("not simulated yet", missing)):
-        if problems:
-            console.out.print(f"\n{title}", style="bold")
-        for problem in problems:
-            console.out.print(str(problem), markup=False, soft_wrap=True)
+    console.problem_list("hardly meant", doubts, "bold yellow")
+    console.problem_list("what it lacks", lacking)
+    console.problem_list("not simulated yet", missing)
     if missing or lacking:
         raise typer.Exit(2)
     console.out.print("\nthis can be run" if doubts else "\nno problems: this can be run", style="green")
@@ -383,11 +377,9 @@ def show_run(ds: xr.Dataset) -> None:
     """Print what a result says of its run, and the tables of its lines and the seabed."""
     console.run_summary(ds.attrs)
     console.line_table(moorage.results.line_summaries(ds), moorage.results.has_static_tensions(ds))
-    seabed = moorage.results.seabed_reports(ds)
-    if seabed:
+    if seabed := moorage.results.seabed_reports(ds):
         console.seabed_table(seabed)
-    objects = moorage.results.object_summaries(ds)
-    if objects:
+    if objects := moorage.results.object_summaries(ds):
         console.object_table(objects, run=True)
 
 

@@ -76,6 +76,14 @@ def open_page(path: Path) -> bool:
     return webbrowser.open(path.resolve().as_uri())
 
 
+def problem_list(title: str, problems: Sequence[object], style: str = "bold") -> None:
+    """Print problems under a title; nothing where there are none."""
+    if problems:
+        out.print(f"\n{title}", style=style)
+    for problem in problems:
+        out.print(str(problem), markup=False, soft_wrap=True)
+
+
 def run_summary(attrs: Mapping[str, Any]) -> None:
     """Print where a result comes from and how its run went, from its attributes."""
     step = attrs["time_step"]
