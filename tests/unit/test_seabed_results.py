@@ -218,6 +218,21 @@ def test_touchdown_of_a_catenary():
     assert along == pytest.approx(float(static["touchdown_arc_length"][0]), rel=1e-3)
 
 
+def test_touchdown_below_the_anchor():
+    """A chain that lies down a slope meets the bed where it is lifted, though its anchor stands higher than that end."""
+    depth = ((100.0, 100.0), (100.0 + 600.0 * np.tan(ANGLE),) * 2)
+    grid = Bathymetry((0.0, 600.0), (-50.0, 50.0), depth)
+    points = [fixed(1, 0.0, 0.0, -100.0), coupled(2, 385.0, 0.0, -140.0)]
+    model = mooring(CHAIN, points, [line(1, 1, 2, ("chain", 400.0, 40))], water_depth=200.0, bathymetry=grid)
+    static = moorage.solve_statics(model)
+    gap = static["seabed_gap"].values
+    lifted = int(np.flatnonzero(gap > 0.0)[0])
+    assert gap[-1] > 10.0
+    assert 10.0 * (lifted - 1) <= float(static["touchdown_arc_length"][0]) <= 10.0 * lifted
+    place = static["touchdown_position"].values[0]
+    assert place[2] == pytest.approx(-grid.depth_at(*place[:2]), abs=0.05)
+
+
 def test_reports_for_people(rough):
     (row,) = seabed_reports(rough)
     assert row.line == 1

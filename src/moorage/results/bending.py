@@ -137,10 +137,10 @@ def declinations(tangents: np.ndarray, length: np.ndarray) -> np.ndarray:
 
 
 def touchdown(position: np.ndarray, gap: np.ndarray, arc: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return where a line first meets the bed on the way from its higher end: place (m, 3) and arc length (m,).
+    """Return where a line first meets the bed on the way from the end that is higher over it: (m, 3), (m,), m.
 
     Between the node on the bed and the one above it the line is taken as straight. NaN when it does not reach the bed,
-    or when its higher end lies on it.
+    or when that end lies on it.
 
     Parameters
     ----------
@@ -150,7 +150,7 @@ def touchdown(position: np.ndarray, gap: np.ndarray, arc: np.ndarray) -> tuple[n
         Arc length of the nodes, m.
     """
     last = len(arc) - 1
-    from_b = position[:, -1, 2] >= position[:, 0, 2]
+    from_b = gap[:, -1] >= gap[:, 0]  # on a slope the anchor may stand higher than what hangs
     on_bed = gap <= TOUCH
     steps = np.where(from_b[:, None], on_bed[:, ::-1], on_bed).argmax(axis=1)  # to the first node on the bed
     found = steps > 0
