@@ -13,7 +13,7 @@ from matplotlib.gridspec import SubplotSpec
 
 from moorage.errors import Problem, ResultError
 from moorage.plot.along import plot_along
-from moorage.plot.moorings import moorings, name_of
+from moorage.plot.moorings import moorings, name_of, strands
 from moorage.plot.profile import plot_plan, plot_profile, plot_profiles
 from moorage.plot.style import new_figure, save
 from moorage.plot.tension import plot_tension
@@ -100,7 +100,8 @@ def _grid(ds: xr.Dataset, groups: list[list[int]], figure: Figure, cell: Subplot
     for k, group in enumerate(groups):
         ax = figure.add_subplot(grid[k // columns, k % columns], sharex=first, sharey=first)
         plot_profile(ds, group, ax)
-        ax.set_title(name_of(group), fontsize=9, loc="left")
+        if len(strands(ds, group)) == 1:  # otherwise the legend names the lines, and is as wide as the axes
+            ax.set_title(name_of(group), fontsize=9, loc="left")
         ax.label_outer()
         if k == 0 or len(group) > 1:
             _legend(ax)
